@@ -41,7 +41,7 @@ std::string heading(const VerifyArguments& a) {
   const std::time_t now = std::time(nullptr);
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
   return fmt::format(
-      "# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
+      "# The ledger of claims{}\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
       "Errors (±) are standard errors over runs with different seeds. A check holds where the 95 % interval (Student's "
       "t) lies within the claimed range, fails where it lies outside, and is undecided where it contains a bound. Many "
       "numbers of one kind, such as those of all pairs, form one check: it holds if each of them holds, and fails if "
@@ -50,6 +50,7 @@ std::string heading(const VerifyArguments& a) {
       "protocol (friction, damping, equilibrium, load), the reading of a sentence or a rule of the source, the "
       "source's own tables, or data that it did not keep. Law S has a tangential spring; law R is the thesis's "
       "regularised friction, which has no static friction. {}\n\n",
+      a.sources.size() == 1 ? ": the " + a.sources[0] : "",
       a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date,
       std::thread::hardware_concurrency(), processor_name(),
       a.csv.empty()

@@ -76,6 +76,19 @@ void doubt_its_end(const Stage& stage, std::vector<std::string>& doubts) {
                       stage.name, any_side_names[side]));
 }
 
+/// A rough wall that slides takes the grains that it holds with it, as far as the next wall.
+void doubt_its_sliding_walls(const Recipe& recipe, const Stage& stage, std::vector<std::string>& doubts) {
+  for (std::size_t side = 0; side < stage.slide.size(); ++side) {
+    const std::size_t way = axis_of(static_cast<int>(side)) == 0 ? 1 : 0;
+    if (stage.slide[side] == 0 || !stage.rough[side] || recipe.container.periodic[way]) continue;
+    const std::size_t ahead = 2 * way + (stage.slide[side] > 0 ? 1 : 0);
+    if (stage.open[ahead]) continue;
+    doubts.push_back(fmt::format(
+        "stages.{}: the rough {} wall slides and carries its grains into the {} one; set container.periodic_{} = true",
+        stage.name, any_side_names[side], any_side_names[ahead], "xy"[way]));
+  }
+}
+
 /// Keys that another one makes idle.
 void doubt_idle_keys(const Recipe& recipe, std::vector<std::string>& doubts) {
   const auto doubt = [&](bool idle, std::string_view key, std::string_view why) {
@@ -154,6 +167,7 @@ std::vector<std::string> doubts_of(const Recipe& recipe) {
     doubt_rubbing_platens(recipe, stage, doubts);
     doubt_its_steps(stage, doubts);
     doubt_its_end(stage, doubts);
+    doubt_its_sliding_walls(recipe, stage, doubts);
   }
   return doubts;
 }

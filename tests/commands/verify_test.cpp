@@ -30,6 +30,7 @@ TEST(Verify, WithoutRunsJudgesTheSourcesTablesAndSaysWhatIsMissing) {
   EXPECT_EQ(claims["T8"]["decider"], "missing runs");
   EXPECT_EQ(claims["T8"]["verdict"], "unknown");
   const std::string text = test::slurp(page.string());
+  EXPECT_TRUE(text.starts_with("# The ledger of claims\n")) << text.substr(0, 60);
   EXPECT_NE(text.find("| [T8](#t8) |"), std::string::npos);
   EXPECT_NE(text.find("`thesis-ch4` (not started)"), std::string::npos);
   EXPECT_NE(text.find("[ledger.csv](ledger.csv)"), std::string::npos);

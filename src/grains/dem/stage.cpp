@@ -201,7 +201,8 @@ void EquilibriumCriterion::declare(Visitor& v) {
 }
 
 void Cycles::declare(Visitor& v) {
-  v.choice({"side", "The side that cycles."}, side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
+  v.choice({"side", "The side that cycles."}, side,
+           {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}, {"back", ""}, {"front", "of samples in space"}});
   std::optional<double> force[2], pressure[2];
   if (max > 0) (of_pressure ? pressure : force)[0] = min, (of_pressure ? pressure : force)[1] = max;
   v.number({"min", "Force at the end of each cycle."}, force[0], "kN", range::not_negative);
@@ -227,6 +228,8 @@ void StrainCycles::declare(Visitor& v) {
             {"right", ""},
             {"bottom", ""},
             {"top", "this side; strains are those of the sample normal to it, positive inward"},
+            {"back", ""},
+            {"front", "the same of samples in space"},
             {"shear", "a cell periodic in both directions, sheared back and forth"}});
   v.number({"min", "Strain at the end of each cycle."}, min, "", range::between(-0.9, 0.9));
   v.number({"max", "Strain in the middle of each cycle.", true}, max, "", range::between(-0.9, 0.9));

@@ -184,8 +184,8 @@ struct Cycles {
 /// Cycles of strain at a given rate: one side goes in and out, or a periodic cell is sheared to and fro, between two
 /// strains of the sample as the stage begins. The first half cycle goes from there to `max`.
 struct StrainCycles {
-  static constexpr int shear = 4;
-  int of = top;  ///< a side (model/packing.hpp): shortening, positive inward; or `shear`
+  static constexpr int shear = sides_in<3>;  ///< beyond the sides
+  int of = top;                              ///< a side (model/packing.hpp): shortening, positive inward; or `shear`
   double min = 0, max = 0;
   double rate = 0;  ///< 1/s, of the strain
   std::int64_t count = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/mapped.hpp"
@@ -36,6 +37,13 @@ void declare_motion(Visitor& v, dem::BoundaryMotionIn<D>& motion, const Stage& s
             {"name"}, fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
   v.require(!motion.mass || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"mass"},
             "boundaries with a mass need integration.integrator = " + dem::integrators_of_bodies());
+}
+
+/// Samples in the plane have no back and no front.
+void require_side(Visitor& v, int side, std::string_view key, const Recipe& recipe) {
+  v.require(side < (recipe.dimension == 3 ? sides_in<3> : sides_in<2>), {key},
+            fmt::format("the {} side is of samples in space; take dimension = 3, or one of: left, right, bottom, top",
+                        any_side_names[static_cast<std::size_t>(side)]));
 }
 
 /// Boundaries do not change with a periodic cell.
@@ -211,9 +219,9 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   if (!stage.cycles) return;
   const auto side = static_cast<std::size_t>(stage.cycles->side);
   const char* load = stage.cycles->of_pressure ? "pressure" : "force";
-  v.require(stage.side[side].kind == stage.cycles->kind(), {"cycles", side_names[side]},
+  v.require(stage.side[side].kind == stage.cycles->kind(), {"cycles", any_side_names[side]},
             fmt::format("cycles need a side under {0}; write {1} = {{ {0} = \"...\" }} in this stage", load,
-                        side_names[side]));
+                        any_side_names[side]));
 }
 
 void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {
@@ -252,7 +260,12 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
   }
 }
 
-void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
+void declare_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.optional_section<dem::Cycles>({"cycles", "Cycles of force or pressure on one side after the ramp."}, stage.cycles,
+                                  [&](Visitor& inner, dem::Cycles& cycles) {
+                                    cycles.declare(inner);
+                                    require_side(inner, cycles.side, "side", recipe);
+                                  });
   v.optional_section<dem::StrainCycles>(
       {"strain_cycles",
        "Cycles between two strains, each half at a constant rate; they end the stage. The first half starts from the "
@@ -260,12 +273,15 @@ void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
       stage.strain_cycles, [&](Visitor& inner, dem::StrainCycles& cycles) {
         cycles.declare(inner);
         const auto of = static_cast<std::size_t>(cycles.of);
-        if (cycles.of == dem::StrainCycles::shear)
+        if (cycles.of == dem::StrainCycles::shear) {
           inner.require(recipe.container.periodic[0] && recipe.container.periodic[1], {"of"},
                         "only a cell periodic in both directions can be sheared in this way");
-        else
-          inner.require(stage.side[of].kind == SideDrive::Kind::fixed, {"of"},
-                        fmt::format("the {} side is already driven in this stage; leave it \"fixed\"", side_names[of]));
+          return;
+        }
+        require_side(inner, cycles.of, "of", recipe);
+        inner.require(
+            stage.side[of].kind == SideDrive::Kind::fixed, {"of"},
+            fmt::format("the {} side is already driven in this stage; leave it \"fixed\"", any_side_names[of]));
       });
   v.require(!stage.strain_cycles || !stage.duration, {"duration", "strain_cycles"},
             "strain cycles end the stage; leave out its duration");

@@ -164,9 +164,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
          stage.bond);
   v.require(!stage.bond || recipe.contact.has_bonds(), {"bond"},
             "no bonds are defined; set contact.bonds = \"parallel\"");
-  v.optional_section<Cycles>({"cycles", "Cycles of force or pressure on one side after the ramp."}, stage.cycles,
-                             [](Visitor& inner, Cycles& cycles) { cycles.declare(inner); });
-  declare_strain_cycles(v, stage, recipe);
+  declare_cycles(v, stage, recipe);
   require_boundary_loads(v, stage, recipe);
   declare_exchange(v, stage, recipe);
   v.section({"equilibrium", "Criteria that end an increment.", false, "rest"},

@@ -144,7 +144,7 @@ template <int D> class LevelSums {
 
 template <int D>
 statics::GalerkinSums<D> couplings(const ElementsIn<D>& elements, const Aggregates& aggregates,
-                                   const BlockDiagonalIn<D, double>&, const std::vector<std::uint8_t>& prescribed) {
+                                   BlockDiagonalIn<D, double>, const std::vector<std::uint8_t>& prescribed) {
   statics::GalerkinSums<D> sums;
   sums.pairs = coupled_pairs(elements, aggregates);
   sums.each = [&elements, prescribed](const Aggregates& cut, const typename statics::GalerkinSums<D>::Take& take) {
@@ -161,10 +161,10 @@ statics::GalerkinSums<D> couplings(const ElementsIn<D>& elements, const Aggregat
 }
 
 template statics::GalerkinSums<2> couplings(const Elements& elements, const Aggregates& aggregates,
-                                            const BlockDiagonalIn<2, double>& diagonal,
+                                            BlockDiagonalIn<2, double> diagonal,
                                             const std::vector<std::uint8_t>& prescribed);
 template statics::GalerkinSums<3> couplings(const Voxels& elements, const Aggregates& aggregates,
-                                            const BlockDiagonalIn<3, double>& diagonal,
+                                            BlockDiagonalIn<3, double> diagonal,
                                             const std::vector<std::uint8_t>& prescribed);
 
 }  // namespace arenite::elements

@@ -30,7 +30,6 @@ template <int D> struct Part {
 /// slides, hats move nodes across the clamps by nothing. `elements` is asked again when the sums are.
 template <int D>
 statics::GalerkinSums<D> couplings(const ElementsIn<D>& elements, const Aggregates& aggregates,
-                                   const BlockDiagonalIn<D, double>& diagonal,
-                                   const std::vector<std::uint8_t>& prescribed);
+                                   BlockDiagonalIn<D, double> diagonal, const std::vector<std::uint8_t>& prescribed);
 
 }  // namespace arenite::elements

@@ -47,6 +47,7 @@ CoarseSpaceIn<D>::CoarseSpaceIn(const Grid& grid, Aggregates aggregates, const G
   list_runs(prescribed);
   BlockMatrix matrix = pattern(sums);
   const double stiffest_corner = assemble(sums, matrix);
+  aggregates_.of_node = {};  // runs tell it from here on
   factorise(matrix, stiffest_corner);
   load_.resize(static_cast<std::size_t>(D * nodes_));
   moments_.resize(D * moments * aggregates_.list.size());

@@ -26,21 +26,22 @@ template <Discretisation D> struct Preconditioner {
   std::vector<std::uint8_t> prescribed;
   InverseDiagonalIn<dimension> inverse;
   CoarseSpaceIn<dimension> coarse;
-  Floats r, p, f, z, other, left;
+  Floats r, p, z;
+  Floats spare;  ///< the smoother's older step, the residual left for the coarse space, the force of p: one at a time
   std::vector<ChebyshevStep> coefficient;
 
-  Preconditioner(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> rows, const Diagonal& diagonal)
+  Preconditioner(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> rows, Diagonal diagonal)
       : prescribed(std::move(rows)),
         inverse(inverse_diagonal(sample.grid, diagonal, prescribed)),
-        coarse(coarse_space(sample, std::move(aggregates), diagonal, prescribed)) {
-    for (Floats* field : {&r, &p, &f, &z, &other, &left}) *field = Floats(sample.grid.padded_size());
+        coarse(coarse_space(sample, std::move(aggregates), std::move(diagonal), prescribed)) {
+    for (Floats* field : {&r, &p, &z, &spare}) *field = Floats(sample.grid.padded_size());
     const auto [degree, lowest, highest] = smoothing_of(sample);
     coefficient = chebyshev_steps(degree, lowest, highest);
   }
 
-  static CoarseSpaceIn<dimension> coarse_space(const D& sample, Aggregates aggregates, const Diagonal& diagonal,
+  static CoarseSpaceIn<dimension> coarse_space(const D& sample, Aggregates aggregates, Diagonal diagonal,
                                                const std::vector<std::uint8_t>& levels) {
-    const GalerkinSums<dimension> sums = couplings(sample, aggregates, diagonal, levels);
+    const GalerkinSums<dimension> sums = couplings(sample, aggregates, std::move(diagonal), levels);
     return {sample.grid, std::move(aggregates), sums, levels};
   }
 
@@ -57,14 +58,14 @@ template <Discretisation D> struct Preconditioner {
     const KernelsOf<D>& k = kernels_of(sample);
     const auto step = [&](ChebyshevStep c) {
       close_period(sample.grid, z);
-      k.chebyshev(sample, pointers(z), pointers(other), pointers(r), inverse.pointers(), c.keep, c.add);
-      std::swap(z, other);
+      k.chebyshev(sample, pointers(z), pointers(spare), pointers(r), inverse.pointers(), c.keep, c.add);
+      std::swap(z, spare);
     };
-    set_zero(other);  // from zero the first step has no force: `move` has taken it; the second looks back at zero
+    set_zero(spare);  // from zero the first step has no force: `move` has taken it; the second looks back at zero
     for (std::size_t s = 1; s < coefficient.size(); ++s) step(coefficient[s]);
     close_period(sample.grid, z);
-    k.residual(sample, pointers(z), pointers(r), pointers(left));
-    coarse.correct(pointers(left), pointers(z));
+    k.residual(sample, pointers(z), pointers(r), pointers(spare));
+    coarse.correct(pointers(spare), pointers(z));
     for (const ChebyshevStep c : coefficient) step(c);
     if (sample.grid.periodic) take_about_mean(sample.grid, z);
   }
@@ -87,7 +88,7 @@ template <Discretisation D> struct Preconditioner {
 
   /// u and r move along p, and z becomes the first step of the preconditioner; returns the norm of r.
   double move(const D& sample, double alpha, Doubles& u) {
-    return std::sqrt(kernels_of(sample).conjugate_step(sample, static_cast<float>(alpha), pointers(p), pointers(f),
+    return std::sqrt(kernels_of(sample).conjugate_step(sample, static_cast<float>(alpha), pointers(p), pointers(spare),
                                                        pointers(u), pointers(r), inverse.pointers(), coefficient[0].add,
                                                        pointers(z)));
   }
@@ -138,7 +139,7 @@ StaticReport StaticSolver<D>::solve(const D& sample, Doubles& u, double toleranc
     return report.residual;
   };
   set_zero(s.p);
-  set_zero(s.f);
+  set_zero(s.spare);
   double renewed = renew(), last = 0;
   report.history.push_back(renewed);
   Reporter reporter(watch, tolerance);
@@ -153,7 +154,7 @@ StaticReport StaticSolver<D>::solve(const D& sample, Doubles& u, double toleranc
     k.direct(sample, static_cast<float>(last > 0 ? rz / last : 0.0), pointers(s.z), pointers(s.p));
     last = rz;
     close_period(sample.grid, s.p);
-    const double curvature = -k.force_float(sample, s.prescribed.data(), pointers(s.p), pointers(s.f));
+    const double curvature = -k.force_float(sample, s.prescribed.data(), pointers(s.p), pointers(s.spare));
     if (!(curvature > 0)) break;
     report.residual = s.move(sample, rz / curvature, u) / reference;
     ++report.iterations;

@@ -34,6 +34,17 @@ TEST(Doubts, StagesThatMayNotEndAreSaid) {
   }
 }
 
+TEST(Doubts, RoughWallsThatPushTheirGrainsIntoTheNextAreSaid) {
+  const std::string lid = "slide = { top = \"1 mm/s\" }\nduration = \"1 s\"\n", rough = "rough = { top = true }\n";
+  const auto doubts = doubts_of(with_stage(lid + rough));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_NE(doubts[0].find("into the right one; set container.periodic_x = true"), std::string::npos) << doubts[0];
+  EXPECT_TRUE(doubts_of(with_stage(lid)).empty());
+  Recipe periodic = with_stage(lid + rough);
+  periodic.container.periodic[0] = true;
+  EXPECT_TRUE(doubts_of(periodic).empty());
+}
+
 /// The only doubt of a recipe; empty where there is none or another.
 std::string only_doubt(const Recipe& recipe) {
   const auto doubts = doubts_of(recipe);

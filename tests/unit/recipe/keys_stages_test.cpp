@@ -22,5 +22,17 @@ TEST(KeysOfStages, AStageOfMoreStepsThanCanBeCountedIsRefused) {
   only_problem(cycled, {"integration.time_step=1 us"});
 }
 
+TEST(KeysOfStages, CyclesTurnToAnySideThatTheSampleHas) {
+  const std::string in_space = replaced(replaced("dimension = 3\n" + smallest, "thickness", "depth"), "bottom = {",
+                                        "front = { force = \"1 kN\" }\nbottom = {");
+  const std::string by_force = "cycles = { side = \"front\", min = \"1 kN\", max = \"2 kN\", count = 3 }\n",
+                    by_strain = "strain_cycles = { of = \"back\", max = 0.01, rate = \"1 1/s\", count = 3 }\n";
+  for (const std::string& cycles : {by_force, by_strain}) {
+    const std::string with = "bottom = {", now = cycles + with;
+    EXPECT_TRUE(problems(replaced(in_space, with, now)).empty()) << only_problem(replaced(in_space, with, now));
+    EXPECT_NE(only_problem(replaced(smallest, with, now)).find("side is of samples in space"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace arenite::recipe

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
 
 namespace arenite::peridynamics {
@@ -160,13 +161,14 @@ std::vector<std::pair<std::int32_t, std::int32_t>> bonded_pairs(const SpaceBonds
 }  // namespace
 
 statics::GalerkinSums<3> couplings(const SpaceBonds& bonds, const statics::Aggregates& aggregates,
-                                   const statics::BlockDiagonalIn<3, double>& diagonal,
+                                   statics::BlockDiagonalIn<3, double> diagonal,
                                    const std::vector<std::uint8_t>& prescribed) {
   statics::GalerkinSums<3> sums;
   sums.pairs = bonded_pairs(bonds, aggregates);
-  sums.each = [&bonds, &diagonal, prescribed](const statics::Aggregates& cut,
-                                              const statics::GalerkinSums<3>::Take& take) {
-    SpaceBondSums level(bonds, cut, diagonal, prescribed);
+  auto kept = std::make_shared<const statics::BlockDiagonalIn<3, double>>(std::move(diagonal));
+  sums.each = [&bonds, kept = std::move(kept), prescribed](const statics::Aggregates& cut,
+                                                           const statics::GalerkinSums<3>::Take& take) {
+    SpaceBondSums level(bonds, cut, *kept, prescribed);
     for (int first = 0; first < bonds.grid.depth; first += cut.side) {
       statics::CouplingSumIn<3> sum(cut.list.size(), false);
       level.add_layers(first, std::min(first + cut.side, bonds.grid.depth), sum);

@@ -10,9 +10,9 @@
 namespace arenite::peridynamics {
 
 /// Galerkin sums over all bonds, in double, one layer of coarse cells after the other. In a lowest level that slides,
-/// hats move nodes across the clamps by nothing. `bonds` and `diagonal` are asked again when the sums are.
+/// hats move nodes across the clamps by nothing. `bonds` is asked again when the sums are.
 statics::GalerkinSums<3> couplings(const SpaceBonds& bonds, const statics::Aggregates& aggregates,
-                                   const statics::BlockDiagonalIn<3, double>& diagonal,
+                                   statics::BlockDiagonalIn<3, double> diagonal,
                                    const std::vector<std::uint8_t>& prescribed);
 
 }  // namespace arenite::peridynamics

@@ -80,7 +80,9 @@ TEST(TiffImage, ReadsTilesAsItReadsStrips) {
 
 TEST(TiffImage, GivesTheSliceThatIsAskedFor) {
   const std::string stack = tiff({page(1, 1, {5}), page(2, 1, {6, 7}), page(1, 1, {8})});
-  EXPECT_EQ(tiff_refusal(stack), "a.tif: is a stack of 3 slices; choose one with --slice 0 to 2");
+  EXPECT_EQ(tiff_refusal(stack),
+            "a.tif: is a stack of 3 slices; choose one with --slice 0 to 2, or for a load take all as voxels with "
+            "--dimension 3");
   EXPECT_EQ(decode_tiff(stack, {.slice = 0}).value, (Values{5}));
   EXPECT_EQ(decode_tiff(stack, {.slice = 1}).value, (Values{6, 7}));
   EXPECT_EQ(tiff_refusal(stack, {.slice = 3}), "a.tif: has no slice 3; its slices are numbered from 0 to 2");
