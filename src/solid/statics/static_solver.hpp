@@ -67,7 +67,9 @@ template <Discretisation D> struct Preconditioner {
     k.residual(sample, pointers(z), pointers(r), pointers(spare));
     coarse.correct(pointers(spare), pointers(z));
     for (const ChebyshevStep c : coefficient) step(c);
-    if (sample.grid.periodic) take_about_mean(sample.grid, z);
+    if (!sample.grid.periodic) return;
+    take_about_mean(sample.grid, z);
+    set_zero(spare);  // images of a period beyond the sample, which no force overwrites, would count in sums
   }
 
   /// r := residual of u, worked out anew in double; returns its norm.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "support/cemented_sample.hpp"
@@ -44,6 +45,26 @@ TEST(ElementLoad, ACementedSampleIsSolvedAndItsReactionsBalance) {
       EXPECT_LT(norm(r.top_force + r.bottom_force), 1e-4 * norm(r.top_force));
       EXPECT_EQ(r.repairs, 0);
     }
+}
+
+TEST(ElementLoad, StressBesideAHoleFollowsKirsch) {
+  constexpr int side = 321, middle = side / 2;
+  PhaseMap map = solid(side, side);
+  const LoadOptions options{{.tolerance = 1e-8, .material = alike({1, 0.3})}};
+  const auto whole = load(map, options);
+  double pixels = 0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      if (std::hypot(x - middle, y - middle) < side / 32.0) map.phase[map.index(x, y)] = Phase::empty, pixels += 1;
+  const auto result = load(map, options);
+  ASSERT_EQ(result.report.ending, statics::Ending::solved);
+  const double radius = std::sqrt(pixels / std::numbers::pi);  // of the disk of equal area
+  for (const double distance : {1.5, 2.0, 2.5}) {
+    const int x = middle + static_cast<int>(std::lround(distance * radius));
+    const double q = radius / (x - middle), kirsch = 1 + q * q / 2 + 1.5 * std::pow(q, 4);
+    EXPECT_NEAR(result.field.yy[map.index(x, middle)] / whole.field.yy[map.index(x, middle)] / kirsch, 1, 0.015)
+        << distance;
+  }
 }
 
 TEST(ElementLoad, NonsenseIsRefused) {
