@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/results/results.hpp"
 #include "io/volume/spheres.hpp"
@@ -25,6 +26,7 @@
 #include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/field_numbers.hpp"
+#include "workflow/read_map.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -38,7 +40,7 @@ void refuse_keys_of_the_plane(const recipe::MapSection& map) {
     throw InputError(fmt::format("crop and slice are of pictures; leave them out in space, or {}",
                                  io::is_sphere_table(map.file) || io::is_volume(map.file)
                                      ? "store the slice that is meant as a picture"
-                                     : "load a slice with --dimension 2"));
+                                     : "load a slice with " + option("dimension") + " 2"));
 }
 
 Numbers asked_in_space(const recipe::Load& load) {
@@ -191,9 +193,7 @@ VoxelStress without_stress(const VoxelMap& map) {
 
 std::optional<VoxelResult> load_until_failure(const recipe::Load& load, VoxelResult result, const statics::Watch& watch,
                                               const FailureCheckpointIn<3>& checkpoint) {
-  if (!result.map.has_length)
-    throw InputError(
-        "a crack needs a length; give the side of a voxel, for example --dx \"25 um\" (dx in [map] of a recipe)");
+  if (!result.map.has_length) throw crack_without_length(side_to_give("voxel"));
   auto tested = peridynamics::load_to_failure<3>(result.map, damage_options<3>(load, watch, checkpoint));
   if (tested.ending == peridynamics::DamageOutcome::Ending::stopped) return std::nullopt;
   put_outcome(result, result.curve, tested, "J");
