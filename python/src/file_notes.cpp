@@ -2,7 +2,6 @@
 
 #include <pybind11/stl.h>
 
-
 namespace arenite::python {
 namespace {
 
