@@ -121,9 +121,7 @@ template <class Part> void def_headlines(py::module_& m) {
       py::arg("part"), "What one asks of it first: [words, symbol, dotted name, share].");
 }
 
-}  // namespace
-
-void bind_figures(py::module_& m) {
+void bind_words(py::module_& m) {
   m.def(
       "_figure_heads",
       [] {
@@ -147,6 +145,9 @@ void bind_figures(py::module_& m) {
       py::arg("head"), py::arg("one"), py::arg("other"),
       "A figure of two results, from the drawings of each: a list of one, or empty where these have not the same "
       "axes.");
+}
+
+void bind_pictures_of_fields(py::module_& m) {
   m.def(
       "_field_quantities",
       [] {
@@ -164,6 +165,9 @@ void bind_figures(py::module_& m) {
         return stress::SampleMeans(field).of(field_quantity(name));
       },
       py::arg("field"), py::arg("name"), "Its mean over the sample, as the statistics of the field take it.");
+}
+
+void bind_drawn_curves(py::module_& m) {
   m.def(
       "_curve_of_stage",
       [](const StageResult& stage, const Packing* before, const std::string& x, const std::string& y) {
@@ -205,6 +209,9 @@ void bind_figures(py::module_& m) {
   def_headlines<VoxelResult>(m);
   def_headlines<SphereResult>(m);
   def_headlines<FilmResult>(m);
+}
+
+void bind_drawings(py::module_& m) {
   m.def(
       "_figure_of_runs",
       [](const std::string& id, const std::vector<AnyStage>& stages, const std::vector<const Packing*>& before) {
@@ -262,6 +269,15 @@ void bind_figures(py::module_& m) {
       py::arg("spheres"));
   m.def(
       "_figures_of_part", [](const FilmResult& film) { return drawn([&] { return of_film(film); }); }, py::arg("film"));
+}
+
+}  // namespace
+
+void bind_figures(py::module_& m) {
+  bind_words(m);
+  bind_pictures_of_fields(m);
+  bind_drawn_curves(m);
+  bind_drawings(m);
 }
 
 }  // namespace arenite::python
