@@ -9,6 +9,7 @@
 #include "model/field_quantities.hpp"
 #include "module.hpp"
 #include "recipe/given.hpp"
+#include "report/drawn.hpp"
 #include "report/field_document.hpp"
 #include "report/figure_heads.hpp"
 #include "report/figures/comparison.hpp"
@@ -132,6 +133,7 @@ void bind_words(py::module_& m) {
       },
       "What is said of every figure, by the kind of part that it is of: id, name in print, title, caption, choices.");
   m.attr("_notation") = figures::notation;
+  m.attr("_drawn") = to_python(report::drawn());
   py::dict print_words;
   const auto print_keys = recipe::every_key<report::Print>();
   for (const char* name : {"formats", "names", "width"})

@@ -11,6 +11,7 @@
 #include "keywords.hpp"
 #include "module.hpp"
 #include "report/figures/state_numbers.hpp"
+#include "report/page_document.hpp"
 #include "report/print/animation.hpp"
 #include "thermal/inference/film_fit.hpp"
 #include "thermal/inference/film_maps.hpp"
@@ -52,12 +53,6 @@ template <class Packing_>
 py::array_t<double> mobilisations_of(const Packing_& packing, std::optional<double> friction) {
   Call call;
   return taken_over(call.without_lock([&] { return texture::mobilisations(packing, friction); }));
-}
-
-template <class Kinds> py::dict named_kinds(const Kinds& kinds) {
-  py::dict d;
-  for (const auto& kind : kinds) d[py::str(kind.name)] = py::make_tuple(kind.label, kind.symbol, kind.unit);
-  return d;
 }
 
 /// Coarse-grained fields as pictures show them, on a grid whose lines are at x and y.
@@ -118,11 +113,11 @@ void bind_colourings(py::module_& m) {
   m.attr("_colourings") =
       py::cast(mapped(report::colourings(), [](const report::Colouring& each) { return std::string(each.name); }));
   m.def(
-      "_grain_quantities", [] { return named_kinds(texture::grain_quantities()); },
-      "{name: (label, symbol, unit)} of what grains are drawn by.");
+      "_grain_quantities", [] { return to_python(report::named_kinds(texture::grain_quantities())); },
+      "{name: [label, symbol, unit, formula, scale of colours]} of what grains are drawn by.");
   m.def(
-      "_coarse_layers", [] { return named_kinds(fields::coarse_layers()); },
-      "{name: (label, symbol, unit)} of pictures of coarse-grained fields.");
+      "_coarse_layers", [] { return to_python(report::named_kinds(fields::coarse_layers())); },
+      "{name: [label, symbol, unit, formula, scale of colours]} of pictures of coarse-grained fields.");
   m.def("_layers_of_state", &layers_of, py::arg("stage"), py::arg("state"),
         "Coarse-grained fields of a state by their names, rows from below, and x, y of their columns and rows.");
 }

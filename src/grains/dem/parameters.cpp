@@ -6,8 +6,8 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "grains/dem/friction_coefficients.hpp"
 #include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/laws/friction_coefficients.hpp"
 
 namespace arenite::dem {
 

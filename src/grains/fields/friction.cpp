@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/problems.hpp"
-#include "grains/dem/friction_coefficients.hpp"
+#include "grains/dem/laws/friction_coefficients.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 #include "statistics/jackknife.hpp"

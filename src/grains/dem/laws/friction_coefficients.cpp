@@ -1,4 +1,4 @@
-#include "grains/dem/friction_coefficients.hpp"
+#include "grains/dem/laws/friction_coefficients.hpp"
 
 namespace arenite::dem {
 
