@@ -45,19 +45,16 @@ void refuse_keys_of_the_plane(const recipe::MapSection& map) {
 
 Numbers asked_in_space(const recipe::Load& load) {
   const elements::Material m = load.material();
-  const auto by_phase = [](double matrix, double interface, double particle) {
-    return Numbers{{"matrix", matrix}, {"interface", interface}, {"particle", particle}};
-  };
   Numbers j{{"loading", recipe::word_of(load.loading)}};
   if (load.by_elements()) j["element"] = recipe::word_of(m.element);
   else
     j["horizon_in_space"] =
         described(load.horizon_in_space, "", "Horizon of the bonds in voxels: 2 for 32 bonds a voxel, 3 for 122");
   j["stiffness_Pa"] =
-      described(by_phase(m.matrix.young, m.interface.young, m.particle.young), "Pa",
+      described(by_type(m.matrix.young, m.interface.young, m.particle.young), "Pa",
                 load.by_elements() ? "Young's modulus of these elements" : "Young's modulus of these bonds");
   if (load.by_elements())
-    j["poisson_ratio"] = described(by_phase(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
+    j["poisson_ratio"] = described(by_type(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
                                    "Poisson's ratio of these elements");
   else
     j["poisson_ratio"] = described(peridynamics::space_lattice_poisson, "",
