@@ -11,7 +11,6 @@
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
 #include "recipe/recipe.hpp"
-#include "report/figures/drawing.hpp"
 #include "report/figures/live_figures.hpp"
 #include "report/page.hpp"
 #include "report/study/study_page.hpp"
@@ -66,9 +65,7 @@ std::string page_of(const std::vector<fs::path>& files, const std::string& title
 
 }  // namespace
 
-std::string watch_page() {
-  return report::html_of({{"title", "Arenite"}, {"live", true}, {"notation", report::figures::notation}});
-}
+std::string watch_page() { return report::html_of({{"title", "Arenite"}, {"live", true}}); }
 
 std::vector<fs::path> WatchState::files() const {
   std::error_code error;

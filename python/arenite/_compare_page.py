@@ -14,7 +14,6 @@ def page(a, b, names):
             "title": " and ".join(names),
             "runs": f"{'; '.join(about)}. {compare.summary(found)}",
             "made": f"Arenite {_core.__version__}",
-            "notation": _core._notation,
             "first": first_tables(found),
             "figures": figures(pairs),
             "tables": [settings(pairs), *(numbers_of(name, found) for name, *_ in pairs)],

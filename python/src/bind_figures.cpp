@@ -9,6 +9,7 @@
 #include "model/field_quantities.hpp"
 #include "module.hpp"
 #include "recipe/given.hpp"
+#include "report/drawn.hpp"
 #include "report/field_document.hpp"
 #include "report/figure_heads.hpp"
 #include "report/figures/comparison.hpp"
@@ -121,9 +122,7 @@ template <class Part> void def_headlines(py::module_& m) {
       py::arg("part"), "What one asks of it first: [words, symbol, dotted name, share].");
 }
 
-}  // namespace
-
-void bind_figures(py::module_& m) {
+void bind_words(py::module_& m) {
   m.def(
       "_figure_heads",
       [] {
@@ -134,6 +133,7 @@ void bind_figures(py::module_& m) {
       },
       "What is said of every figure, by the kind of part that it is of: id, name in print, title, caption, choices.");
   m.attr("_notation") = figures::notation;
+  m.attr("_drawn") = to_python(report::drawn());
   py::dict print_words;
   const auto print_keys = recipe::every_key<report::Print>();
   for (const char* name : {"formats", "names", "width"})
@@ -147,6 +147,9 @@ void bind_figures(py::module_& m) {
       py::arg("head"), py::arg("one"), py::arg("other"),
       "A figure of two results, from the drawings of each: a list of one, or empty where these have not the same "
       "axes.");
+}
+
+void bind_pictures_of_fields(py::module_& m) {
   m.def(
       "_field_quantities",
       [] {
@@ -164,6 +167,9 @@ void bind_figures(py::module_& m) {
         return stress::SampleMeans(field).of(field_quantity(name));
       },
       py::arg("field"), py::arg("name"), "Its mean over the sample, as the statistics of the field take it.");
+}
+
+void bind_drawn_curves(py::module_& m) {
   m.def(
       "_curve_of_stage",
       [](const StageResult& stage, const Packing* before, const std::string& x, const std::string& y) {
@@ -205,6 +211,9 @@ void bind_figures(py::module_& m) {
   def_headlines<VoxelResult>(m);
   def_headlines<SphereResult>(m);
   def_headlines<FilmResult>(m);
+}
+
+void bind_drawings(py::module_& m) {
   m.def(
       "_figure_of_runs",
       [](const std::string& id, const std::vector<AnyStage>& stages, const std::vector<const Packing*>& before) {
@@ -262,6 +271,15 @@ void bind_figures(py::module_& m) {
       py::arg("spheres"));
   m.def(
       "_figures_of_part", [](const FilmResult& film) { return drawn([&] { return of_film(film); }); }, py::arg("film"));
+}
+
+}  // namespace
+
+void bind_figures(py::module_& m) {
+  bind_words(m);
+  bind_pictures_of_fields(m);
+  bind_drawn_curves(m);
+  bind_drawings(m);
 }
 
 }  // namespace arenite::python

@@ -11,6 +11,7 @@
 #include "file_notes.hpp"
 #include "keywords.hpp"
 #include "model/cement.hpp"
+#include "model/kinds.hpp"
 #include "module.hpp"
 #include "phase_words.hpp"
 #include "solid/grid/cavity_statistics.hpp"
@@ -134,7 +135,14 @@ void bind_phase_map(py::module_& m) {
         return "<arenite.PhaseMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + ">";
       });
   m.def("_fractions_by_kind", &grid::fractions_by_kind, py::arg("map"),
-        "Fractions of the nodes: void, matrix, grains without class, small and large ones.");
+        "Fractions of the nodes of each kind, in the order of `_drawn[\"kinds\"]`.");
+  m.def(
+      "_kinds_of_nodes",
+      [](const PhaseMap& map) {
+        const auto kinds = kinds_of(map);
+        return py::array_t<std::uint8_t>({map.height, map.width}, reinterpret_cast<const std::uint8_t*>(kinds.data()));
+      },
+      py::arg("map"), "The kind of every node, by its place in `_drawn[\"kinds\"]`; uint8, (height, width).");
   def_with_keywords(
       m, "read_phase_map", &read_map, map_keywords(),
       "A phase map from a picture with exact values (docs/formats.md), as `arenite load` reads it. `phases` "

@@ -11,6 +11,7 @@
 #include "keywords.hpp"
 #include "module.hpp"
 #include "report/figures/state_numbers.hpp"
+#include "report/page_document.hpp"
 #include "report/print/animation.hpp"
 #include "thermal/inference/film_fit.hpp"
 #include "thermal/inference/film_maps.hpp"
@@ -52,12 +53,6 @@ template <class Packing_>
 py::array_t<double> mobilisations_of(const Packing_& packing, std::optional<double> friction) {
   Call call;
   return taken_over(call.without_lock([&] { return texture::mobilisations(packing, friction); }));
-}
-
-template <class Kinds> py::dict named_kinds(const Kinds& kinds) {
-  py::dict d;
-  for (const auto& kind : kinds) d[py::str(kind.name)] = py::make_tuple(kind.label, kind.symbol, kind.unit);
-  return d;
 }
 
 /// Coarse-grained fields as pictures show them, on a grid whose lines are at x and y.
@@ -112,21 +107,22 @@ py::dict animation_of(const py::kwargs& given) {
   return d;
 }
 
-}  // namespace
-
-void bind_pictures(py::module_& m) {
+void bind_colourings(py::module_& m) {
   def_with_keywords(m, "_animation", &animation_of, animation_keywords(),
                     "What an animation is asked for, as declared, with defaults for what is not given.");
   m.attr("_colourings") =
       py::cast(mapped(report::colourings(), [](const report::Colouring& each) { return std::string(each.name); }));
   m.def(
-      "_grain_quantities", [] { return named_kinds(texture::grain_quantities()); },
-      "{name: (label, symbol, unit)} of what grains are drawn by.");
+      "_grain_quantities", [] { return to_python(report::named_kinds(texture::grain_quantities())); },
+      "{name: [label, symbol, unit, formula, scale of colours]} of what grains are drawn by.");
   m.def(
-      "_coarse_layers", [] { return named_kinds(fields::coarse_layers()); },
-      "{name: (label, symbol, unit)} of pictures of coarse-grained fields.");
+      "_coarse_layers", [] { return to_python(report::named_kinds(fields::coarse_layers())); },
+      "{name: [label, symbol, unit, formula, scale of colours]} of pictures of coarse-grained fields.");
   m.def("_layers_of_state", &layers_of, py::arg("stage"), py::arg("state"),
         "Coarse-grained fields of a state by their names, rows from below, and x, y of their columns and rows.");
+}
+
+void bind_maps_of_films(py::module_& m) {
   m.def(
       "_fit_maps",
       [](const FilmResult& film) {
@@ -168,6 +164,9 @@ void bind_pictures(py::module_& m) {
   m.def(
       "_doubtful_contacts", [](const FilmResult& film) { return taken_over(inference::doubtful_contacts(film)); },
       py::arg("film"), "1 for each contact that counts as there, and by its force and its gap may not be.");
+}
+
+void bind_numbers_of_grains(py::module_& m) {
   const char *values =
                  "A number of every grain: x, y, size (diameter, m), coordination (contacts), pressure, deviator "
                  "(half the difference of the principal stresses, of spheres sqrt(3 J_2), Pa), friction (mean "
@@ -196,6 +195,9 @@ void bind_pictures(py::module_& m) {
         return list;
       },
       py::arg("packings"), "Rotations of grains since the first of these states, rad, an array for each.");
+}
+
+void bind_force_scales(py::module_& m) {
   const char* scale = "(mean, tension), N: forces above the one are strong, those below the other pull.";
   m.def("_mean_push", &texture::mean_push<2>, py::arg("states"),
         "Mean force of the contacts that push, of several states together, N.");
@@ -229,6 +231,15 @@ void bind_pictures(py::module_& m) {
       },
       py::arg("packing"), py::arg("mean") = statistics::unknown, py::arg("doubtful") = std::vector<std::uint8_t>{},
       scale);
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& m) {
+  bind_colourings(m);
+  bind_maps_of_films(m);
+  bind_numbers_of_grains(m);
+  bind_force_scales(m);
 }
 
 }  // namespace arenite::python

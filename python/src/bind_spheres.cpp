@@ -99,9 +99,7 @@ py::dict bonds_in_space(const PackingIn<3>& packing) {
   return d;
 }
 
-}  // namespace
-
-void bind_spheres(py::module_& m) {
+void bind_sphere_packing(py::module_& m) {
   py::class_<PackingIn<3>> packing(m, "SpherePacking", py::dynamic_attr(),
                                    "Spheres in their container, with their contacts; SI units.");
   def_rows(
@@ -170,6 +168,9 @@ void bind_spheres(py::module_& m) {
       .def("__repr__", [](const PackingIn<3>& p) {
         return "<arenite.SpherePacking of " + std::to_string(p.grains.size()) + " spheres>";
       });
+}
+
+void bind_sphere_stages(py::module_& m) {
   py::class_<SnapshotIn<3>>(m, "SphereSnapshot", "One stored state of a stage of spheres.")
       .def_readonly("time", &SnapshotIn<3>::time, "s since the start of the run.")
       .def_readonly("step", &SnapshotIn<3>::step, "Time steps since the start of the run.")
@@ -224,6 +225,13 @@ void bind_spheres(py::module_& m) {
       .def_property_readonly(
           "numbers", [](const SphereResult& stage) { return to_python(stage.texture); },
           "What was measured of the last state, as `arenite show --json` prints it.");
+}
+
+}  // namespace
+
+void bind_spheres(py::module_& m) {
+  bind_sphere_packing(m);
+  bind_sphere_stages(m);
 }
 
 }  // namespace arenite::python

@@ -140,9 +140,7 @@ StageResultIn<D> load_stage(const PackingIn<D>& packing, Recipe recipe, const py
   });
 }
 
-}  // namespace
-
-void bind_store(py::module_& m) {
+void bind_result(py::module_& m) {
   py::class_<Result>(m, "Result", "Contents of a folder or file of results, or parts computed separately.")
       .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{},
            py::arg("fields") = std::vector<FieldResult>{}, py::arg("films") = std::vector<FilmResult>{},
@@ -185,6 +183,9 @@ void bind_store(py::module_& m) {
                            r.run.stages.size() + r.run.spheres.size(), r.run.fields.size() + r.run.voxels.size(),
                            r.films.size());
       });
+}
+
+void bind_files(py::module_& m) {
   m.def(
       "open",
       [](const Path& path) {
@@ -235,6 +236,13 @@ void bind_store(py::module_& m) {
       py::arg("result"), py::arg("file"),
       "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult, VoxelResult, SphereStage or "
       "Packing, or of a folder of results.");
+}
+
+}  // namespace
+
+void bind_store(py::module_& m) {
+  bind_result(m);
+  bind_files(m);
 }
 
 void bind_stages(py::module_& m) {

@@ -52,7 +52,7 @@ template <class Value> py::object by_row(const campaign::CollectedTable& table, 
 
 /// The columns of the CSV by the CSV's names: swept keys, numbers, and "NAME_error" where any run has an error. Where a
 /// number is itself called so ("beta_error" beside "beta"), the error of the column before it is kept.
-py::dict columns_of(const campaign::CollectedTable& table) {
+py::dict columns_of_table(const campaign::CollectedTable& table) {
   py::dict d;
   if (!table.means) {
     d["run"] = by_row(table, [](const auto& row) { return row.run; });
@@ -112,7 +112,7 @@ void bind_study(py::module_& m) {
         const campaign::Study study = campaign::read_study(recipe.string(), {}, out);
         auto table = campaign::collect(study, campaign::StudyFolder(out));
         if (!by.empty()) table = campaign::averaged(table, by);
-        return columns_of(table);
+        return columns_of_table(table);
       },
       py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
       "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, "

@@ -137,9 +137,7 @@ void def_component(py::class_<VoxelResult>& c, const char* name, std::vector<flo
       sentence);
 }
 
-}  // namespace
-
-void bind_voxels(py::module_& m) {
+void bind_voxel_map(py::module_& m) {
   py::class_<VoxelMap>(m, "VoxelMap", "A sample in space, cut into voxels; arrays are (depth, height, width), z first.")
       .def(py::init(&voxels_of), py::arg("phase"), py::arg("grain") = py::none(), py::kw_only(), py::arg("dx"),
            "A map from your own data, which are copied: `phase` is 0 (void), 1 (matrix) or 2 (particle), `grain` "
@@ -171,6 +169,9 @@ void bind_voxels(py::module_& m) {
         return "<arenite.VoxelMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + " x " +
                std::to_string(map.depth) + ">";
       });
+}
+
+void bind_voxel_result(py::module_& m) {
   py::class_<VoxelResult> result(m, "VoxelResult", "A sample in space under load.");
   result.def_readonly("name", &VoxelResult::name, "Name of the load.")
       .def_readonly("converged", &VoxelResult::converged, "Whether equilibrium was found.")
@@ -215,6 +216,9 @@ void bind_voxels(py::module_& m) {
       {"u_x", &VoxelStress::ux}, {"u_y", &VoxelStress::uy}, {"u_z", &VoxelStress::uz}};
   for (const auto& [name, member] : displacements)
     def_component(result, name, member, "Displacement of every voxel, m; float32, (depth, height, width).");
+}
+
+void bind_pictures_of_voxels(py::module_& m) {
   m.def(
       "_voxel_quantities",
       [] {
@@ -240,6 +244,9 @@ void bind_voxels(py::module_& m) {
         return stress::sample_mean(sample, quantity_named(name));
       },
       py::arg("sample"), py::arg("name"), "Its mean over the sample, as the statistics of the stress take it.");
+}
+
+void bind_voxel_functions(py::module_& m) {
   def_with_keywords(
       m, "read_voxel_map", &voxel_map_in, voxel_map_keywords(),
       "A voxel map from NumPy, NRRD, MetaImage, NIfTI or a stack of pictures (docs/formats.md), or of a table of "
@@ -254,6 +261,15 @@ void bind_voxels(py::module_& m) {
       "the sample does.",
       py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
       py::arg("progress") = py::none());
+}
+
+}  // namespace
+
+void bind_voxels(py::module_& m) {
+  bind_voxel_map(m);
+  bind_voxel_result(m);
+  bind_pictures_of_voxels(m);
+  bind_voxel_functions(m);
 }
 
 }  // namespace arenite::python

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "option_names.hpp"
 
 namespace arenite::python {
 namespace {
@@ -124,7 +123,7 @@ void Call::tell(const Progress& progress, double share, const std::string& text)
 void Call::warn(const std::string& sentence) {
   if (in_fork()) return;
   const py::gil_scoped_acquire lock;
-  if (PyErr_WarnEx(PyExc_UserWarning, with_arguments(sentence).c_str(), 1) != 0) throw py::error_already_set();
+  if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 bool Call::asked_to_stop() {

@@ -2,9 +2,6 @@
 
 #include <pybind11/stl.h>
 
-#include "core/mapped.hpp"
-#include "option_names.hpp"
-
 namespace arenite::python {
 namespace {
 
@@ -26,11 +23,11 @@ void bind_file_notes(py::module_& m) {
 
 void warn_of_notes(const std::vector<std::string>& sentences) {
   for (const std::string& sentence : sentences)
-    if (PyErr_WarnEx(file_warning, with_arguments(sentence).c_str(), 1) != 0) throw py::error_already_set();
+    if (PyErr_WarnEx(file_warning, sentence.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 void keep_notes(const py::object& packing, const std::vector<std::string>& sentences) {
-  packing.attr("_notes") = mapped(sentences, with_arguments);
+  packing.attr("_notes") = sentences;
 }
 
 py::list notes_kept(const py::object& packing) {

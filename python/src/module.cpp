@@ -1,6 +1,7 @@
 #include <exception>
 
 #include "core/error.hpp"
+#include "core/option.hpp"
 #include "core/version.hpp"
 #include "file_notes.hpp"
 #include "module.hpp"
@@ -13,11 +14,12 @@ PYBIND11_MODULE(_core, m) {
       "Micromechanics of composite and cemented granular materials. All numbers are in SI units; stresses are positive "
       "in tension, contact forces in compression.";
   m.attr("__version__") = arenite::version;
+  arenite::word_options(arenite::python::argument_of);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const arenite::InputError& error) {
-      PyErr_SetString(PyExc_ValueError, arenite::python::with_arguments(error.what()).c_str());
+      PyErr_SetString(PyExc_ValueError, error.what());
     } catch (const arenite::NumbersError&) {
       PyErr_SetString(
           PyExc_ValueError,

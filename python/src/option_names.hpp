@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 namespace arenite::python {
 
-/// The program's sentence with its options as arguments of Python: "choose one with --slice 0 to 3" names `slice`, and
-/// "--set seed=x" becomes "changes seed=x".
-std::string with_arguments(const std::string& sentence);
+/// The argument that is the option of this name, for sentences of the library: `slice`, `frame_rate`.
+std::string argument_of(std::string_view option);
 
 }  // namespace arenite::python

@@ -11,6 +11,7 @@
 #include "campaign/key_words.hpp"
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "io/table/table.hpp"
@@ -169,7 +170,7 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
   for (const auto& key : keys) {
     const auto at = std::find(known.begin(), known.end(), key);
     if (at == known.end())
-      throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, list_of(known)));
+      throw InputError(fmt::format("{} {}: is not swept; the swept keys are: {}", option("by"), key, list_of(known)));
     places.push_back(static_cast<std::size_t>(at - known.begin()));
     result.keys.push_back(table.keys[places.back()]);
   }

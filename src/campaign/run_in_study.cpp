@@ -17,6 +17,7 @@
 
 #include "campaign/run_study.hpp"
 #include "core/error.hpp"
+#include "core/option.hpp"
 #include "io/disk/file.hpp"
 #include "workflow/film/run_film.hpp"
 #include "workflow/result_folder.hpp"
@@ -26,8 +27,8 @@ namespace arenite::campaign {
 Worker::Worker(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw InputError(std::string("cannot create a pipe to a new process: ") + std::strerror(errno) +
-                     "; use fewer --jobs");
+    throw InputError(std::string("cannot create a pipe to a new process: ") + std::strerror(errno) + "; use fewer " +
+                     option("jobs"));
   std::fflush(nullptr);  // or the new process would write what waits here a second time
   const pid_t parent = ::getpid();
   process_ = ::fork();
@@ -35,7 +36,8 @@ Worker::Worker(const std::function<std::string()>& work) {
     const int error = errno;
     ::close(ends[0]);
     ::close(ends[1]);
-    throw InputError(std::string("cannot start a new process: ") + std::strerror(error) + "; use fewer --jobs");
+    throw InputError(std::string("cannot start a new process: ") + std::strerror(error) + "; use fewer " +
+                     option("jobs"));
   }
   if (process_ == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -119,7 +121,7 @@ RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const
   try {
     return attempt(study, run, folder, store, options);
   } catch (const std::bad_alloc&) {
-    return {Kind::failed, 0, "out of memory; run fewer at a time (--jobs)"};
+    return {Kind::failed, 0, "out of memory; run fewer at a time (" + option("jobs") + ")"};
   } catch (const std::exception& error) { return {Kind::failed, 0, error.what()}; }
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/disk/file.hpp"
 
@@ -73,9 +74,11 @@ void apply_override(Node& root, const std::string& assignment, const RecordTable
     if (equals == std::string::npos || equals == 0)
       throw InputError("write key=value, for example seed=7 or container.width=\"350 mm\"");
     Node value = parse_value(assignment.substr(equals + 1));
-    value.place = {.override_text = "--set " + assignment};
+    value.place = {.override_text = option("set") + " " + assignment};
     set_value(root, assignment.substr(0, equals), std::move(value), keys);
-  } catch (const InputError& error) { throw InputError(fmt::format("--set {}: {}", assignment, error.what())); }
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} {}: {}", option("set"), assignment, error.what()));
+  }
 }
 
 }  // namespace

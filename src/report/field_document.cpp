@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "model/field_quantities.hpp"
+#include "model/kinds.hpp"
 #include "report/figures/field_figures.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/packing_layers.hpp"
@@ -60,9 +61,9 @@ Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept
           {"stride", kept.stride},
           {"dx", map.dx},
           {"full", {map.width, map.height}},
-          {"phase", block.add_indices(kept.of(map.phase))},
+          {"kind", block.add_indices(kept.of(kinds_of(map)))},
           {"label", block.add_indices(labels_of(map.grain, kept))},
-          {"grain_class", block.add_indices(map.grain_class)},
+          {"grain_kind", block.add_indices(mapped(map.grain_class, [](GrainClass of) { return kind_of(of); }))},
           {"fractions", mapped(grid::fractions_by_kind(map), std::identity{})},
           {"cavities", cavities_of(map, numbers, kept, block)}};
 }

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "model/field_quantities.hpp"
+#include "model/kinds.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/sample_means.hpp"
 
@@ -31,14 +32,6 @@ struct View {
             {"nodes", {width, height}}};
   }
 };
-
-int kind_of(const PhaseMap& map, std::size_t node) {
-  if (map.phase[node] != Phase::particle) return map.phase[node] == Phase::matrix ? 1 : 0;
-  const std::int32_t grain = map.grain[node];
-  if (grain < 0 || map.grain_class.empty()) return 2;
-  const GrainClass size = map.grain_class[static_cast<std::size_t>(grain)];
-  return size == GrainClass::small ? 3 : size == GrainClass::large ? 4 : 2;
-}
 
 /// Nodes in and about the large grain nearest to the middle.
 View about_middle_grain(const PhaseMap& map) {
@@ -94,7 +87,7 @@ Numbers phases_of(const PhaseMap& map, const View& view) {
   };
   for (int row = 0; row < view.height; ++row)
     for (int column = 0; column < view.width; ++column) {
-      const int kind = kind_of(map, view.node(map, column, row));
+      const int kind = static_cast<int>(kind_of(map, view.node(map, column, row)));
       if (kind != last) end_run();
       last = kind;
       ++count;

@@ -5,7 +5,7 @@
 namespace arenite::report {
 
 /// A cemented sample as JSON for a figure: `size` of the picture in mm, `nodes` across and up, from the top row on runs
-/// of equal phase, [phase, how many, ...]: 0 void, 1 matrix, 2 particle, 3 small grain, 4 large one.
+/// of equal kind, [NodeKind, how many, ...].
 Numbers phases_drawing(const FieldResult& sample);
 
 /// Vertical stress of the nodes in and about the large grain (any grain, where there are no classes) whose middle is

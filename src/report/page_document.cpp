@@ -16,6 +16,7 @@
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/fields/test_curves.hpp"
 #include "grains/texture/grain_quantities.hpp"
+#include "report/drawn.hpp"
 #include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/figures/headlines.hpp"
@@ -242,7 +243,8 @@ PageDocument page_document(const PageData& data) {
   NumberBlock block;
   figures::PageLists lists(block);
   const figures::WriteList write = std::ref(lists);
-  Numbers document{{"title", data.title}, {"notation", figures::notation}, {"words", number_words()}};
+  Numbers document{
+      {"title", data.title}, {"notation", figures::notation}, {"words", number_words()}, {"drawn", drawn()}};
   document["figures"] = figures::heads_of_parts();
   Numbers stages = Numbers::list(), snapshots = Numbers::list();
   const auto films = films_of(data);  // stay in place while the stages point at them

@@ -54,10 +54,12 @@ const Part* known_of(const workflow::KnownStatistics* measured,
   return measured && at < (measured->*parts).size() && (measured->*parts)[at] ? &*(measured->*parts)[at] : nullptr;
 }
 
-/// Words and symbols of what grains and coarse-grained fields are drawn by: {name: [label, symbol, unit]}.
+/// What is said of what grains and coarse-grained fields are drawn by: {name: [label, symbol, unit, formula, scale of
+/// colours]}.
 template <class Kinds> Numbers named_kinds(const Kinds& kinds) {
   Numbers out = Numbers::tree();
-  for (const auto& kind : kinds) out[kind.name] = Numbers::list({kind.label, kind.symbol, kind.unit, kind.formula});
+  for (const auto& kind : kinds)
+    out[kind.name] = Numbers::list({kind.label, kind.symbol, kind.unit, kind.formula, word_of(kind.colours)});
   return out;
 }
 

@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "grains/fields/state_curves.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
@@ -82,7 +83,8 @@ std::vector<Told> every_stage(const std::filesystem::path& result) {
     if (const auto* stage = std::get_if<SphereResult>(&any)) spheres.tell(*stage, stages);
   }
   if (stages.empty())
-    throw InputError(result.string(), 0, "holds no stages of loading, so there is no stress path; leave out --states");
+    throw InputError(result.string(), 0,
+                     "holds no stages of loading, so there is no stress path; leave out " + option("states"));
   return stages;
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -41,9 +43,9 @@ Numbers support(const peridynamics::Support& s) {
 /// Those that are finite.
 Numbers limits(const peridynamics::Strength& f) {
   Numbers j = Numbers::tree();
-  for (const auto& [type, value] :
-       {std::pair{"matrix", f.matrix}, std::pair{"interface", f.interface}, std::pair{"particle", f.particle}})
-    if (std::isfinite(value)) j[type] = value;
+  const std::array of{f.matrix, f.interface, f.particle};
+  for (std::size_t k = 0; k < of.size(); ++k)
+    if (std::isfinite(of[k])) j[std::string(crack_types[k + 1])] = of[k];
   return described(std::move(j), "Pa", "Tensile strength of these bonds");
 }
 
@@ -70,15 +72,14 @@ Numbers as_asked(const recipe::Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
   Numbers j{{"loading", recipe::word_of(load.loading)},
             {"axis", recipe::word_of(load.axis)},
-            {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}},
-                                       "Pa", "Young's modulus of these bonds or elements")}};
+            {"stiffness_Pa", described(by_type(e.matrix, e.interface, e.particle), "Pa",
+                                       "Young's modulus of these bonds or elements")}};
   if (!load.by_elements()) return j;
   const elements::Material m = load.material();
   j["element"] = recipe::word_of(m.element);
   j["plane"] = recipe::word_of(m.plane);
-  j["poisson_ratio"] =
-      described({{"matrix", m.matrix.poisson}, {"interface", m.interface.poisson}, {"particle", m.particle.poisson}},
-                "", "Poisson's ratio of these elements");
+  j["poisson_ratio"] = described(by_type(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
+                                 "Poisson's ratio of these elements");
   return j;
 }
 
@@ -199,9 +200,9 @@ template <int D> void add_criterion(Numbers& j, const recipe::Load& load, double
   const auto governs = [&](std::size_t type) {
     return limits.set_by[type] == peridynamics::Limit::strength ? "strength" : "toughness";
   };
-  j["failure"]["critical_stretch"] = described({{"matrix", s[1]}, {"interface", s[2]}, {"particle", s[3]}}, "",
-                                               "Stretch at which these bonds break on this grid");
-  j["failure"]["governed_by"] = {{"matrix", governs(1)}, {"interface", governs(2)}, {"particle", governs(3)}};
+  j["failure"]["critical_stretch"] =
+      described(by_type(s[1], s[2], s[3]), "", "Stretch at which these bonds break on this grid");
+  j["failure"]["governed_by"] = by_type(governs(1), governs(2), governs(3));
   j["notes"].push_back(fmt::format(
       "the strength is that of this grid, {} {:.4g} m: {}; compare samples at one spacing "
       "(docs/peridynamics.md)",
@@ -218,8 +219,8 @@ template <int D>
 void add_failure(Numbers& j, Numbers asked, const recipe::Load& load, const peridynamics::DamageOutcome& result,
                  double dx) {
   const peridynamics::Toughness k = load.toughness.resolved();
-  asked["toughness_Pa_m0.5"] = described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}},
-                                         "Pa m^0.5", "Fracture toughness of these bonds");
+  asked["toughness_Pa_m0.5"] =
+      described(by_type(k.matrix, k.interface, k.particle), "Pa m^0.5", "Fracture toughness of these bonds");
   if (load.strength.matrix || load.strength.interface || load.strength.particle)
     asked["strength_Pa"] = limits(load.strength.resolved());
   asked["cracks_stay_open"] =
@@ -230,9 +231,8 @@ void add_failure(Numbers& j, Numbers asked, const recipe::Load& load, const peri
   j["load"] = std::move(asked);
   j["modulus_Pa"] = described(result.modulus, "Pa", "Apparent modulus before the first bond breaks");
   j["strength_Pa"] = described(result.strength, "Pa", "Strength, largest mean stress");
-  const auto by_type = peridynamics::broken_by_type(result.broken);
-  Numbers failure{{"broken", described({{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}},
-                                       "", "Bonds broken")},
+  const auto broken = peridynamics::broken_by_type(result.broken);
+  Numbers failure{{"broken", described(by_type(broken[1], broken[2], broken[3]), "", "Bonds broken")},
                   {"energy_balance_error",
                    described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
   if (const auto strain = peridynamics::strain_at_strength(result))

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "model/kinds.hpp"
 #include "model/phase_map.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/cement/cement.hpp"
@@ -11,6 +12,13 @@
 #include "statistics/numbers.hpp"
 
 namespace arenite::workflow {
+
+/// One value for each kind of bonds, elements or cracks, by its name.
+template <class T> Numbers by_type(const T& matrix, const T& interface, const T& particle) {
+  return {{std::string(crack_types[1]), matrix},
+          {std::string(crack_types[2]), interface},
+          {std::string(crack_types[3]), particle}};
+}
 
 /// What is known of a cemented packing beyond its map.
 struct SampleReports {

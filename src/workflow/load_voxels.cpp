@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/results/results.hpp"
 #include "io/volume/spheres.hpp"
@@ -25,6 +26,7 @@
 #include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/field_numbers.hpp"
+#include "workflow/read_map.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -38,24 +40,21 @@ void refuse_keys_of_the_plane(const recipe::MapSection& map) {
     throw InputError(fmt::format("crop and slice are of pictures; leave them out in space, or {}",
                                  io::is_sphere_table(map.file) || io::is_volume(map.file)
                                      ? "store the slice that is meant as a picture"
-                                     : "load a slice with --dimension 2"));
+                                     : "load a slice with " + option("dimension") + " 2"));
 }
 
 Numbers asked_in_space(const recipe::Load& load) {
   const elements::Material m = load.material();
-  const auto by_phase = [](double matrix, double interface, double particle) {
-    return Numbers{{"matrix", matrix}, {"interface", interface}, {"particle", particle}};
-  };
   Numbers j{{"loading", recipe::word_of(load.loading)}};
   if (load.by_elements()) j["element"] = recipe::word_of(m.element);
   else
     j["horizon_in_space"] =
         described(load.horizon_in_space, "", "Horizon of the bonds in voxels: 2 for 32 bonds a voxel, 3 for 122");
   j["stiffness_Pa"] =
-      described(by_phase(m.matrix.young, m.interface.young, m.particle.young), "Pa",
+      described(by_type(m.matrix.young, m.interface.young, m.particle.young), "Pa",
                 load.by_elements() ? "Young's modulus of these elements" : "Young's modulus of these bonds");
   if (load.by_elements())
-    j["poisson_ratio"] = described(by_phase(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
+    j["poisson_ratio"] = described(by_type(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
                                    "Poisson's ratio of these elements");
   else
     j["poisson_ratio"] = described(peridynamics::space_lattice_poisson, "",
@@ -191,9 +190,7 @@ VoxelStress without_stress(const VoxelMap& map) {
 
 std::optional<VoxelResult> load_until_failure(const recipe::Load& load, VoxelResult result, const statics::Watch& watch,
                                               const FailureCheckpointIn<3>& checkpoint) {
-  if (!result.map.has_length)
-    throw InputError(
-        "a crack needs a length; give the side of a voxel, for example --dx \"25 um\" (dx in [map] of a recipe)");
+  if (!result.map.has_length) throw crack_without_length(side_to_give("voxel"));
   auto tested = peridynamics::load_to_failure<3>(result.map, damage_options<3>(load, watch, checkpoint));
   if (tested.ending == peridynamics::DamageOutcome::Ending::stopped) return std::nullopt;
   put_outcome(result, result.curve, tested, "J");

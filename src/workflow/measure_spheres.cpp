@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/version.hpp"
 #include "grains/texture/spheres/spheres.hpp"
@@ -18,12 +19,12 @@ template <int D> std::string propose_contacts(io::SampleIn<D>& sample, double ga
   PackingIn<D>& packing = sample.packing;
   const double mean_radius = statistics::mean_of_known(packing.grains.radius);
   if (gap > mean_radius)
-    throw refusal(
-        "--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch", told,
-        mean_radius);
+    throw refusal("{}: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch",
+                  option("touching"), told, mean_radius);
   packing.contacts = imaging::propose_contacts(packing.grains, packing.domain, {}, {.floor = 1, .pixel = gap});
   return gap > 0 ? "Grains are taken to touch where their surfaces are within " + told + " of each other"
-                 : "The files have no contacts: grains are taken to touch where they overlap (--touching gives a gap)";
+                 : "The files have no contacts: grains are taken to touch where they overlap (" + option("touching") +
+                       " gives a gap)";
 }
 template std::string propose_contacts<2>(io::Sample&, double, const std::string&);
 template std::string propose_contacts<3>(io::SampleIn<3>&, double, const std::string&);

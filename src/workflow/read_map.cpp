@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/image/phase_map.hpp"
@@ -47,9 +48,9 @@ void tell_of_touching(const PhaseMap& map, const recipe::MapSection& section,
   const std::size_t found = map.grain_class.size(), apart = cut.grain_class.size();
   if (static_cast<double>(apart) < many_more * static_cast<double>(found)) return;
   notice(
-      fmt::format("{}: grains that touch count as one: {} grains, {} where they are cut at their necks by `--labels "
+      fmt::format("{}: grains that touch count as one: {} grains, {} where they are cut at their necks by `{} "
                   "watershed` (labels = \"watershed\" in [map] of a recipe)",
-                  section.file, found, apart));
+                  section.file, found, apart, option("labels")));
 }
 
 /// What a map is read from, by which some of its keys have an effect.
@@ -89,7 +90,7 @@ constexpr KeyOfSources keys_of_sources[] = {
 std::string idle_without(std::string_view key, const recipe::MapSection& map) {
   if (key == "dimension") return map.dimension == 2 && is_in_space(map) ? "a picture" : "";
   if (key == "horizon_in_space") return is_in_space(map) ? "" : "a sample in space";
-  if (key == "smoothing") return map.labels == "watershed" ? "" : "--labels watershed";
+  if (key == "smoothing") return map.labels == "watershed" ? "" : option("labels") + " watershed";
   const auto at = std::ranges::find(keys_of_sources, key, &KeyOfSources::key);
   return at == std::end(keys_of_sources) || (at->sources & source_of(map)) != 0 ? "" : at->words;
 }
@@ -129,9 +130,13 @@ FieldResult read_sample(const recipe::MapSection& map, const std::function<void(
 void require_length(const recipe::MapSection& map, const recipe::Load& load) {
   if (!load.failure || map.dx || is_own_field(map)) return;
   const auto pixel = io::stated_pixel(map.file);
-  throw InputError("a crack needs a length; " +
-                   (pixel ? io::told_pixel(*pixel)
-                          : "give the size of a pixel, for example --dx \"25 um\" (dx in [map] of a recipe)"));
+  throw crack_without_length(pixel ? io::told_pixel(*pixel) : side_to_give("pixel"));
+}
+
+InputError crack_without_length(const std::string& mend) { return InputError("a crack needs a length; " + mend); }
+
+std::string side_to_give(std::string_view of) {
+  return fmt::format("give the side of a {}, for example {} \"25 um\" (dx in [map] of a recipe)", of, option("dx"));
 }
 
 FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "model/phase_map.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
@@ -29,5 +30,8 @@ std::vector<std::string> idle_keys(const recipe::MapSection& map);
 
 /// Throws InputError for a load to failure of a map without a length: a crack needs one.
 void require_length(const recipe::MapSection& map, const recipe::Load& load);
+/// What is then thrown, with what would give the map its length; and the usual of that, with the side of a "pixel".
+InputError crack_without_length(const std::string& mend);
+std::string side_to_give(std::string_view of);
 
 }  // namespace arenite::workflow

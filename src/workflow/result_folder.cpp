@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/stage_numbers.hpp"
@@ -27,7 +28,8 @@ namespace fs = std::filesystem;
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) refuse(folder.string(), "this folder cannot be made ({}); choose another with --out", error.message());
+  if (error)
+    refuse(folder.string(), "this folder cannot be made ({}); choose another with {}", error.message(), option("out"));
 }
 
 namespace {
@@ -57,7 +59,8 @@ io::FileLock lock_in(const fs::path& folder) {
   make_folder(folder);
   if (auto lock = io::FileLock::try_take(folder / ".lock")) return std::move(*lock);
   refuse(folder.string(),
-         "another run writes into this folder; wait for its end, stop it, or choose another folder with --out");
+         "another run writes into this folder; wait for its end, stop it, or choose another folder with {}",
+         option("out"));
 }
 
 }  // namespace

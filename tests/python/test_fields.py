@@ -110,6 +110,22 @@ def test_pictures_are_read_as_the_program_reads_them(examples):
         arenite.read_phase_map(file, dx=0, slice=0)
 
 
+def test_sentences_name_arguments_and_leave_names_of_files_as_they_are(examples, tmp_path):
+    file = tmp_path / "a --dx b.tiff"
+    file.write_bytes((examples / "30-electrode" / "electrode.tiff").read_bytes())
+    with pytest.raises(ValueError, match=r"/a --dx b\.tiff: .*choose one with slice 0 to 255"):
+        arenite.read_phase_map(file, dx="1 um")
+
+
+def test_nodes_are_of_the_kinds_that_pages_and_figures_name():
+    phase = [[0, 1, 2], [2, 2, 2]]
+    map = arenite.PhaseMap(phase, [[-1, -1, 0], [1, 1, 1]], dx=1e-3)
+    kinds = [kind["id"] for kind in arenite._core._drawn["kinds"]]
+    assert np.array_equal(np.array(kinds)[arenite._core._kinds_of_nodes(map)], np.array(kinds)[phase])
+    labels = [entry.get_label() for entry in arenite.figures.fields.phase_key(map)]
+    assert labels == ["grains 66.7 %", "matrix 16.7 %", "void 16.7 %"]
+
+
 def test_curves_and_cracks_look_into_the_field():
     phase = np.ones((48, 32), np.uint8)
     phase[20:28, 8:24] = 0

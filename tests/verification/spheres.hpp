@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grains/dem/advance.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/measure.hpp"

@@ -60,13 +60,13 @@ function gridSubtitle({
     full: [width, height],
     dx,
   },
-  grainClass,
+  grainKind,
 }) {
   const size = `${text.number(1e3 * width * dx, 4)} \u00d7 ${text.number(1e3 * height * dx, 4)}\u202fmm`;
   return [
     `${text.count(width)} \u00d7 ${text.count(height)} nodes`,
     size,
-    ...(grainClass.length ? [`${text.count(grainClass.length)} grains`] : []),
+    ...(grainKind.length ? [`${text.count(grainKind.length)} grains`] : []),
   ];
 }
 

@@ -2,6 +2,7 @@ import { forms, keepInAddress } from "./address.js";
 import { loadData } from "./block.js";
 import { readWords } from "./declared.js";
 import { h, readNotation } from "./dom.js";
+import { readDrawn } from "./drawn.js";
 import { FieldResult, PhaseMap } from "./field/result.js";
 import { fieldSection } from "./field/section.js";
 import { FilmResult } from "./film/result.js";
@@ -55,6 +56,7 @@ async function main() {
   try {
     const { about, block } = await loadData();
     readNotation(about.notation);
+    readDrawn(about.drawn);
     readWords(about.words);
     const sample = new Sample(about, block);
     const maps = (about.maps ?? []).map((map) => new PhaseMap(map, block));

@@ -3,10 +3,10 @@
     and units are the program's (`quantities` of the document), by the same names. Colours, the table, the scatter and
     what the pointer tells are made from both. */
 
-/** What the program says of a quantity: { label, symbol, unit }, the unit in SI; empty: it has none. */
+/** What the program says of a quantity: { label, symbol, unit, scale }, the unit in SI; empty: it has none. */
 export function aboutQuantity(name, sample) {
-  const [label, symbol, unit, formula] = sample.about.quantities[name];
-  return { label, symbol, unit, formula };
+  const [label, symbol, unit, formula, scale] = sample.about.quantities[name];
+  return { label, symbol, unit, formula, scale };
 }
 
 export const isKnown = (name, sample) => sample.finders[name]?.when?.(sample) ?? true;

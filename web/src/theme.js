@@ -1,4 +1,5 @@
 import { interpolateCividis, interpolateMagma, interpolateViridis } from "d3-scale-chromatic";
+import { drawn } from "./drawn.js";
 
 const families =
   'Inter, ui-sans-serif, system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "Noto Sans", ' +
@@ -46,7 +47,9 @@ const light = {
     "#6f210b",
   ]),
   grey: between(["#22272c", "#f7f6f2"]),
-  cyclic: between(["#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"]),
+  get cyclic() {
+    return between(drawn().cyclic);
+  },
   badPixel: "#ff2d95",
   kind: ["#ffffff", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"],
   kindLine: ["#cf5d49", "#c28a00", "#4179b5", "#1f4e8f", "#5aa3dc"],
@@ -97,6 +100,9 @@ const dark = {
   cross: { pull: "#ffffff", push: "#ff5c98" },
 };
 
+/** The map of colours, of those below, for a scale that the program names. */
+export const mapOfScale = { even: "viridis", stress: "magma", diverging: "diverging", grey: "grey" };
+
 /** The maps by which a reader may colour a quantity. */
 export const colourMaps = [
   ["viridis", "Viridis"],
@@ -105,7 +111,16 @@ export const colourMaps = [
   ["diverging", "Blue\u2013amber"],
   ["grey", "Grey"],
 ];
-for (const theme of [light, dark])
+for (const theme of [light, dark]) {
+  theme.scales = {
+    even: theme.size,
+    stress: theme.stress,
+    diverging: theme.diverging,
+    grey: theme.grey,
+    get cyclic() {
+      return theme.cyclic;
+    },
+  };
   theme.maps = {
     viridis: theme.size,
     magma: theme.stress,
@@ -113,6 +128,7 @@ for (const theme of [light, dark])
     diverging: theme.diverging,
     grey: theme === light ? (t) => theme.grey(1 - t) : theme.grey,
   };
+}
 
 const preference = () => window.matchMedia("(prefers-color-scheme: dark)");
 

@@ -1,14 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { kindOfForce, readDrawn } from "../src/drawn.js";
 import { directionAt } from "../src/figures/turned_sphere.js";
 import { dot, frameOf } from "../src/space/frame.js";
 import { bondsOf, together } from "../src/spheres/bonds.js";
 import { edgesOf } from "../src/spheres/boundaries.js";
-import { between, kindOf } from "../src/spheres/chains.js";
+import { between } from "../src/spheres/chains.js";
 import { scaleOf } from "../src/spheres/paint.js";
 import { SphereResult } from "../src/spheres/result.js";
 import { seenSphere } from "../src/spheres/seen.js";
 import { State } from "../src/state.js";
+
+readDrawn({ breaks: ["", "tension", "bending", "shear", "twisting"] });
 
 const close = (a, b) => a.length === b.length && a.every((v, k) => Math.abs(v - b[k]) < 1e-12);
 
@@ -73,7 +76,7 @@ test("of boundaries that are there the edges are lines, from the middle of the c
 
 test("a force above the mean is strong, one below the traces of tension pulls", () => {
   assert.deepEqual(
-    [2, 0.5, -1e-4, -3].map((force) => kindOf(force, { mean: 1, tension: -1e-3 })),
+    [2, 0.5, -1e-4, -3].map((force) => kindOfForce(force, { mean: 1, tension: -1e-3 })),
     ["strong", "weak", "weak", "tension"],
   );
 });

@@ -5,10 +5,9 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from .packings import circles, container
-from .style import broken_colours, crack_half, farthest_crack, key_below, pale, weak
+from .style import breaks, broken_colours, crack_half, farthest_crack, key_below, pale, weak
 
-names = ["tension", "bending", "shear"]
-kinds = {k + 1: kind for k, kind in enumerate(zip(names, broken_colours))}  # as `broken` counts them
+kinds = {k + 1: kind for k, kind in enumerate(zip(breaks, broken_colours))}  # as `broken` counts them
 
 
 def has_broken(history):

@@ -15,7 +15,8 @@ from .style import (
     length_bar,
     patch,
     phase_colours,
-    phases,
+    drawn,
+    kinds,
     scaled,
 )
 
@@ -36,32 +37,33 @@ def height_of(field, room=0.2):
     return min(1.6, field.map.height / field.map.width + room)
 
 
-def kinds_of(map):
-    """Every node's number in `phases`."""
-    kind = np.array(map.phase, dtype=np.uint8)
-    grain_class = np.array(map.grain_class)
-    inside = map.grain >= 0
-    if len(grain_class):
-        of_node = grain_class[np.where(inside, map.grain, 0)]
-        kind[inside & (of_node == 1)] = phases.index("small")
-        kind[inside & (of_node == 2)] = phases.index("large")
-    return kind
+def palette_of(count):
+    """The colours of so many kinds, with the ends of their numbers."""
+    colours = [phase_colours[kind["id"]] for kind in kinds[:count]]
+    return {"cmap": ListedColormap(colours), "vmin": -0.5, "vmax": count - 0.5}
 
 
 def draw_phases(axes, field, key=True):
     """Void, matrix, small and large grains; `field` is a Field or a PhaseMap."""
     map = getattr(field, "map", field)
-    palette = ListedColormap([phase_colours[name] for name in phases])
-    shown = _picture(axes, map, kinds_of(map), cmap=palette, vmin=-0.5, vmax=4.5)
+    shown = _picture(axes, map, _core._kinds_of_nodes(map), **palette_of(len(kinds)))
     if key:
         key_below(axes, phase_key(map), 3)
     return shown
 
 
 def phase_key(map):
-    """Legend entries of the phases present, with their area fractions."""
-    shares = zip(phases, _core._fractions_by_kind(map))
-    return [patch(phase_colours[name], f"{name} {100 * share:.3g} %") for name, share in reversed([*shares]) if share]
+    """Legend entries of the kinds present, with their area fractions."""
+    return kind_key(_core._fractions_by_kind(map))
+
+
+def kind_key(shares):
+    """The same of the shares of the first kinds."""
+    return [
+        patch(phase_colours[kind["id"]], f"{kind['many']} {100 * share:.3g} %")
+        for kind, share in reversed([*zip(kinds, shares)])
+        if share > 0
+    ]
 
 
 def values_of(field, component):
@@ -153,11 +155,11 @@ def draw_cracks(axes, field):
     crack_dots(axes, field.cracks["x"], field.cracks["y"], field.cracks["type"], phase_key(field.map))
 
 
-def crack_dots(axes, x, y, kinds, others=()):
+def crack_dots(axes, x, y, types, others=()):
     """A dot at every broken bond, by type; the legend states their numbers, after the entries `others`."""
     handles, suffix = [], " bonds" if others else ""
-    for kind, (name, colour) in crack_colours.items():
-        of = kinds == kind
+    for kind, (name, colour) in enumerate(zip(drawn["cracks"], crack_colours)):
+        of = types == kind
         if of.any():
             axes.plot(x[of], y[of], ".", color=colour, markersize=0.8, rasterized=True)
             handles.append(

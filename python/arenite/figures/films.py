@@ -9,32 +9,9 @@ from matplotlib.colors import ListedColormap, Normalize
 from .. import _core
 from .drawing import heads
 from .packings import circles
-from .style import (
-    bare,
-    cyclic_map,
-    diverging_map,
-    even_map,
-    length_bar,
-    most_stress,
-    picture_map,
-    scaled,
-    stress_map,
-    strong,
-)
+from .style import bare, cyclic_map, diverging_map, length_bar, most_stress, scale_maps, scaled, stress_map, strong
 
 bad_pixel = "#ff2d95"
-palettes = {
-    "picture": picture_map,
-    "amplitude": stress_map,
-    "phase": cyclic_map,
-    "in_phase": diverging_map,
-    "fitted": diverging_map,
-    "fit_residual": diverging_map,
-    "second_harmonic": stress_map,
-    "standard_error": even_map,
-    "residual": even_map,
-    "bad": picture_map,
-}
 
 
 def _of_companions():
@@ -101,7 +78,7 @@ def draw_phase(axes, maps, pixel=0):
 
 def _phase(axes, said, amplitude, error, pixel):
     norm = Normalize(-180, 180)
-    shown = palettes["phase"](norm(said["values"]))
+    shown = cyclic_map(norm(said["values"]))
     if np.size(amplitude) and np.size(error):
         faint = np.asarray(amplitude) < _core._faint_below * np.asarray(error)
         shown[faint, :3] = 1 - 0.2 * (1 - shown[faint, :3])
@@ -113,7 +90,7 @@ def _phase(axes, said, amplitude, error, pixel):
 def draw_bad_pixels(axes, film):
     """The replaced pixels, on the image at the smallest load."""
     said = _core._film_maps()["bad"]
-    draw_map(axes, film.picture, said["title"], colour_map=palettes["bad"], pixel=film.pixel)
+    draw_map(axes, film.picture, said["title"], colour_map=scale_maps[said["colours"]], pixel=film.pixel)
     bad = np.asarray(film.bad, bool)
     _show(axes, np.where(bad, 1.0, np.nan), film.pixel, cmap=ListedColormap([bad_pixel]))
     axes.set_title(f"{bad.sum()} pixels replaced")
@@ -124,7 +101,7 @@ def in_small(title):
     return title[0].lower() + title[1:].split(" (")[0]
 
 
-def draw_film_map(axes, film, name, said):
+def draw_film_map(axes, film, said):
     """One of `_film_maps`."""
     if said["marks"]:
         return draw_bad_pixels(axes, film)
@@ -134,15 +111,14 @@ def draw_film_map(axes, film, name, said):
     factor, unit = scaled(known.max() if known.size else 0, said["unit"])
     about = 0 if said["around"] == "zero" else None
     title = fill(f"{in_small(said['title'])}, {unit}", 34)
-    return draw_map(axes, said["values"] / factor, title, colour_map=palettes[name], about=about, pixel=film.pixel)
+    return draw_map(
+        axes, said["values"] / factor, title, colour_map=scale_maps[said["colours"]], about=about, pixel=film.pixel
+    )
 
 
 def map_panels(film):
     """[function of axes] that draw the maps of a film, in the order of the page."""
-    return [
-        lambda axes, name=name, said=said: draw_film_map(axes, film, name, said)
-        for name, said in _core._film_maps(film).items()
-    ]
+    return [lambda axes, said=said: draw_film_map(axes, film, said) for said in _core._film_maps(film).values()]
 
 
 def uncertain(film):

@@ -12,19 +12,7 @@ from matplotlib.patches import Rectangle
 from .. import _core
 from . import spheres
 from .packings import bars, boundaries_of, kind_colours, kinds_of, segments, sides_of
-from .style import (
-    chain_width,
-    colours,
-    diverging_map,
-    even_map,
-    label,
-    pale,
-    stress_map,
-    strong,
-    tension,
-    weak,
-    widest_chain,
-)
+from .style import colours, label, pale, scale_maps, strong, tension, weak, widths_of_forces
 
 
 def mobilisation(shot):
@@ -59,15 +47,13 @@ def rotations(shots):
 
 @dataclasses.dataclass
 class Colouring:
-    """A colouring of grains by a quantity of the library, whose label and unit it has: `values(shots)` gives one array
-    per state, in SI units."""
+    """A colouring of grains by a quantity of the library, whose label, unit and colours it has: `values(shots)` gives
+    one array per state, in SI units."""
 
     quantity: str
     values: typing.Callable
-    colour_map: typing.Any
     low: typing.Any = None  # None: from the states
     high: typing.Any = None
-    symmetric: bool = False
 
     @property
     def label(self):
@@ -77,28 +63,40 @@ class Colouring:
     def unit(self):
         return _core._grain_quantities()[self.quantity][2]
 
+    @property
+    def scale(self):
+        return _core._grain_quantities()[self.quantity][4]
+
+    @property
+    def colour_map(self):
+        return scale_maps[self.scale]
+
+    @property
+    def symmetric(self):
+        return self.scale == "diverging"
+
 
 def each(of):
     return lambda shots: [of(shot) for shot in shots]
 
 
-def by_quantity(name, colour_map, low=None):
+def by_quantity(name, low=None):
     """A colouring by a number that a state alone gives."""
-    return Colouring(name, each(lambda shot: _core.grain_values(shot.packing, name)), colour_map, low)
+    return Colouring(name, each(lambda shot: _core.grain_values(shot.packing, name)), low)
 
 
 colourings = {
     "material": None,
     "forces": None,
-    "pressure": by_quantity("pressure", stress_map, 0.0),
-    "deviator": by_quantity("deviator", stress_map, 0.0),
-    "z": by_quantity("coordination", even_map),
-    "velocity": by_quantity("speed", even_map, 0.0),
+    "pressure": by_quantity("pressure", 0.0),
+    "deviator": by_quantity("deviator", 0.0),
+    "z": by_quantity("coordination"),
+    "velocity": by_quantity("speed", 0.0),
     "displacement": Colouring(
-        "displacement", lambda shots: [np.linalg.norm(way, axis=1) for way in displacements(shots)], even_map, low=0.0
+        "displacement", lambda shots: [np.linalg.norm(way, axis=1) for way in displacements(shots)], low=0.0
     ),
-    "rotation": Colouring("rotation", rotations, diverging_map, symmetric=True),
-    "mobilisation": Colouring("mobilisation", each(mobilisation), stress_map, low=0.0, high=1.0),
+    "rotation": Colouring("rotation", rotations),
+    "mobilisation": Colouring("mobilisation", each(mobilisation), low=0.0, high=1.0),
 }
 
 
@@ -168,7 +166,7 @@ def chains(axes, packing, mean, scale):
     tensile ones red, by its `scale`. White rims distinguish them from dark grains."""
     c = packing.contacts
     kinds = kinds_of(c.fn, scale, np.zeros(len(c), bool))
-    width = np.mean(packing.radius) * np.minimum(widest_chain, chain_width * np.abs(c.fn) / mean)
+    width = widths_of_forces(c.fn, mean, np.mean(packing.radius))
     drawn = []
     for kind in ("weak", "strong", "tension"):
         of = kinds == kind

@@ -4,10 +4,7 @@ import numpy as np
 
 from .. import _core
 from .shots import Shot
-from .style import bare, colours, diverging_map, even_map, label, plain, scaled, soft, stress_map, strong
-
-maps = {"pressure": stress_map, "deviator": stress_map, "kinetic": stress_map}  # of fields; of others even_map
-signed = {"vx", "vy", "shear"}
+from .style import bare, colours, label, plain, scale_maps, scaled, soft, strong
 
 
 def worded(symbol, unit):
@@ -19,7 +16,7 @@ def draw_grains_against(axes, shot, x="size", y="pressure"):
     `arenite.grain_values`."""
     packing, drawn = shot.packing, []
     for name in (x, y):
-        _, symbol, unit = _core._grain_quantities()[name]
+        _, symbol, unit, *_ = _core._grain_quantities()[name]
         values = _core.grain_values(packing, name)
         factor, prefixed = scaled(np.max(np.abs(values), initial=0), unit)
         drawn.append((values / factor, worded(symbol, prefixed)))
@@ -55,17 +52,17 @@ def sphere_scatter(figure, stage):
 def draw_coarse_field(axes, fields, name):
     """One of the fields of a state (`fields_of`), with the velocity as arrows over its magnitude; returns what a colour
     bar needs, and its label."""
-    words, symbol, unit = _core._coarse_layers()[name]
+    words, symbol, unit, _, scale = _core._coarse_layers()[name]
     values, x, y = fields[name], fields["x"], fields["y"]
     known = np.abs(values[np.isfinite(values)])
     factor, prefixed = scaled(np.max(known, initial=0), unit) if unit in ("Pa", "m/s") else (1, unit)
     low, high = np.nanquantile(values, [0.01, 0.99]) if len(known) else (0, 1)
-    ends = (-max(abs(low), abs(high)), max(abs(low), abs(high))) if name in signed else (low, high)
+    ends = (-max(abs(low), abs(high)), max(abs(low), abs(high))) if scale == "diverging" else (low, high)
     half = [0.5 * (axis[1] - axis[0]) if len(axis) > 1 else 0.5 for axis in (x, y)]
     picture = axes.imshow(
         values / factor,
         origin="lower",
-        cmap=diverging_map if name in signed else maps.get(name, even_map),
+        cmap=scale_maps[scale],
         vmin=ends[0] / factor,
         vmax=ends[1] / factor,
         interpolation="bilinear",

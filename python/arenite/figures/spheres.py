@@ -5,9 +5,11 @@ from matplotlib.collections import LineCollection, PolyCollection
 
 from .. import _core
 from .packings import bars, kind_colours, kinds_of
-from .style import chain_width, strong, weak, widest_chain
+from .style import drawn as shared, strong, weak, widths_of_forces
 
-azimuth, elevation = np.radians(35), np.radians(25)  # from where the page shows a sample in the beginning
+azimuth, elevation = (
+    np.radians(shared["look"][angle]) for angle in ("azimuth", "elevation")
+)  # from where the page shows a sample in the beginning
 light = np.array([0.25, 0.62, 0.74]) / np.linalg.norm([0.25, 0.62, 0.74])
 batch = 4096  # spheres that are drawn at a time
 wide = 12  # pixels; a sphere of a larger radius is drawn on its own
@@ -166,7 +168,7 @@ def force_bars(axes, packing, mean, scale):
     order = np.argsort(seen(start + end)[:, 2], kind="stable")
     start, end, fn = seen(start[order])[:, :2], seen(end[order])[:, :2], fn[order]
     kinds = kinds_of(fn, scale, np.zeros(len(fn), bool))
-    width = np.mean(packing.radius) * np.minimum(widest_chain, chain_width * np.abs(fn) / mean)
+    width = widths_of_forces(fn, mean, np.mean(packing.radius))
     colours = [kind_colours[kind] for kind in kinds]
     return axes.add_collection(
         PolyCollection(bars(start, end, width), facecolor=colours, edgecolor="white", linewidth=0.15), autolim=False

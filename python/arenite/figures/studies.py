@@ -3,16 +3,26 @@
 import pathlib
 
 import numpy as np
-from matplotlib.collections import LineCollection, PatchCollection
-from matplotlib.colors import ListedColormap
+from matplotlib.collections import LineCollection, PatchCollection, PolyCollection
 from matplotlib.patches import Circle, Polygon
 
 from .. import _core
 from .drawing import draw_described
-from .fields import crack_dots
-from .style import bare, colours, length_bar, most_stress, phase_colours, plain, sigma_norm, stress_map, strong
-
-most_stress_of_nodes = 2
+from .fields import crack_dots, palette_of
+from .packings import bars, kind_colours, kinds_of
+from .style import (
+    bare,
+    colours,
+    drawn,
+    kinds,
+    length_bar,
+    most_stress,
+    plain,
+    sigma_norm,
+    stress_map,
+    strong,
+    widths_of_forces,
+)
 
 
 def page_of(path):
@@ -95,16 +105,14 @@ def draw_study_sample(axes, sample):
 
 
 def _chains(axes, sample, x, y, r):
-    """Lines between centres; the mean force is a quarter as wide as a mean grain's radius."""
+    """Forces over their mean, as those of a run are drawn."""
     force, i, j = np.array(sample["f"]), np.array(sample["i"]), np.array(sample["j"])
-    points = 72 * axes.figure.get_figwidth() / (1e-3 * sample["size"][0])  # of print to a metre, about
-    widths = np.maximum(0.05, 0.25 * r.mean() * points * np.abs(force))
-    lines = np.stack([np.column_stack([x[i], y[i]]), np.column_stack([x[j], y[j]])], axis=1)
-    axes.add_collection(
-        LineCollection(
-            lines, linewidths=widths, colors=np.where(force < sample["tension"], "#cc79a7", strong), capstyle="round"
-        )
-    )
+    start, end = np.column_stack([x[i], y[i]]), np.column_stack([x[j], y[j]])
+    width, found = widths_of_forces(force, 1, r.mean()), kinds_of(force, (1, sample["tension"]), np.zeros(len(i), bool))
+    for kind, colour in kind_colours.items():
+        of = found == kind
+        if np.any(of):
+            axes.add_collection(PolyCollection(bars(start[of], end[of], width[of]), facecolor=colour, linewidth=0))
 
 
 def _material_key(axes, sample):
@@ -134,17 +142,15 @@ def draw_study_nodes(axes, sample):
     shown = None
     if "stress" in sample:
         values = np.array([np.nan if v is None else v for v in sample["stress"]]).reshape(rows, columns)
-        shown = axes.imshow(values, cmap=stress_map, vmin=0, vmax=most_stress_of_nodes, **extent)
+        shown = axes.imshow(values, cmap=stress_map, vmin=0, vmax=drawn["most_stress"]["nodes"], **extent)
         _edges(axes, sample["edges"], width / columns, height)
     else:
         runs = np.array(sample["phases"]).reshape(-1, 2)
-        palette = ListedColormap([phase_colours[name] for name in ("void", "matrix", "particle", "small", "large")])
-        axes.imshow(
-            np.repeat(runs[:, 0], runs[:, 1]).reshape(rows, columns), cmap=palette, vmin=-0.5, vmax=4.5, **extent
-        )
+        nodes = np.repeat(runs[:, 0], runs[:, 1]).reshape(rows, columns)
+        axes.imshow(nodes, **palette_of(len(kinds)), **extent)
         if "cracks" in sample:
-            x, y, kinds = (np.array(sample["cracks"][name]) for name in ("x", "y", "type"))
-            crack_dots(axes, width / columns * x, height - width / columns * y, kinds)
+            x, y, types = (np.array(sample["cracks"][name]) for name in ("x", "y", "type"))
+            crack_dots(axes, width / columns * x, height - width / columns * y, types)
     axes.set_ylim(-0.08 * height, height)
     length_bar(axes, width, 0, -0.06 * height)
     bare(axes)

@@ -15,25 +15,41 @@ from .. import _core
 
 column_width, page_width = 3.35, 6.9  # inches: 85 mm and 175 mm, one and two columns of most journals
 
+# What pictures here and on the page have in common: names of kinds, sizes, ends of scales.
+drawn = _core._drawn
+
 # Okabe and Ito's colours, told apart by colour-blind readers and in grey.
 colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 phase_colours = {"void": "#ffffff", "matrix": "#d9c79c", "small": "#7fa8c9", "large": "#2f5f8a", "particle": "#5583ab"}
-phases = ["void", "matrix", "particle", "small", "large"]  # in the order of their numbers in a map
 set_colours = {"all": "#1a1a1a", "large": colours[0], "small": colours[1], "particle": colours[0], "matrix": colours[2]}
-crack_colours = {1: ("matrix", "#d62728"), 2: ("interface", "#111111"), 3: ("particle", "#ff9d00")}
-broken_colours = ["#d81b60", "#e69f00", "#0072b2", "#6a4fb0"]  # bonds: tension, bending, shear, twisting
+crack_colours = [None, "#d62728", "#111111", "#ff9d00"]  # in the order of `drawn["cracks"]`
+broken_colours = ["#d81b60", "#e69f00", "#0072b2", "#6a4fb0"]  # bonds, in the order of `breaks`
 strong, weak, soft, pale, tension = "#1a1a1a", "#8c8c8c", "#b5b5b5", "#c8c8c8", "#d81b60"
 
-stress_map, most_stress = "magma_r", 3  # of a grain over the mean
-diverging_map, even_map, picture_map = "RdBu_r", "viridis", "gray"
-# Comes back to where it began, and no part of it is as pale as what is lost in noise.
-cyclic_map = LinearSegmentedColormap.from_list(
-    "cyclic", ["#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"]
-)
+breaks = drawn["breaks"][1:]  # ways in which bonds between grains break, as `broken` counts them from 1
+kinds = drawn["kinds"]  # of nodes, in the order of their numbers
 
-# As the page draws them; web/src/drawn_sizes.js says why.
-chain_width, widest_chain = 0.16, 1.1  # of a mean grain's radius: at the mean force, and at most
-crack_half, farthest_crack = 0.9, 1.5  # of the smaller radius; of the sum of the radii
+most_stress = drawn["most_stress"]["grains"]  # over the mean
+stress_map, diverging_map, even_map, picture_map = "magma_r", "RdBu_r", "viridis", "gray"
+# No part of it is as pale as what is lost in noise.
+cyclic_map = LinearSegmentedColormap.from_list("cyclic", drawn["cyclic"])
+# For the scales of colours that the library names.
+scale_maps = {
+    "even": even_map,
+    "stress": stress_map,
+    "diverging": diverging_map,
+    "cyclic": cyclic_map,
+    "grey": picture_map,
+}
+
+crack_half, farthest_crack = drawn["crack"]["half"], drawn["crack"]["farthest"]
+
+
+def widths_of_forces(forces, mean, mean_radius):
+    """How wide forces are drawn, in the unit of the mean radius: proportional to them up to a cap."""
+    chain = drawn["chain"]
+    return mean_radius * np.minimum(chain["widest"], chain["width"] * np.abs(forces) / mean)
+
 
 sigma_norm = r"$\sigma_{\mathrm{norm}}$"
 force_symbols = {"fn": r"F_{\mathrm{n}}", "ft": r"F_{\mathrm{t}}"}
@@ -152,7 +168,7 @@ def colour_of_role(role):
     if name == "set":
         return set_colours[which]
     if name == "crack":
-        return crack_colours[int(which)][1]
+        return crack_colours[int(which)]
     if name == "broken":
         return broken_colours[int(which)]
     if name == "scale":

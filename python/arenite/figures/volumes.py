@@ -1,11 +1,10 @@
 """Slices of samples in space through their middle, of phases and of stresses."""
 
 import numpy as np
-from matplotlib.colors import ListedColormap
 
 from .. import _core
-from .fields import colours_of, scale_in, unit_in
-from .style import bare, key_below, length_bar, patch, phase_colours, phases, scaled
+from .fields import colours_of, kind_key, palette_of, scale_in, unit_in
+from .style import bare, key_below, kinds, length_bar, scaled
 
 # Normal of each slice, the axes to the right and upwards; and where they are in arrays (depth, height, width).
 planes = [("z", "x", "y"), ("y", "x", "z"), ("x", "y", "z")]
@@ -76,12 +75,9 @@ def _rows(figure, map, count):
 def draw_phases(figure, sample):
     """Void, matrix and grains, with their fractions of the volume."""
     map = sample.map
-    used = [phase_colours[name] for name in phases[:3]]
     row = _rows(figure, map, 1)[0]
-    _, axes = draw_slices(figure, map, map.phase, row, cmap=ListedColormap(used), vmin=-0.5, vmax=2.5)
-    share = [sample.numbers["map"]["phases"][name] for name in phases[:3]]
-    entries = [patch(used[k], f"{phases[k]} {100 * share[k]:.3g} %") for k in (2, 1, 0) if share[k] > 0]
-    key_below(axes[1], entries, 3)
+    _, axes = draw_slices(figure, map, map.phase, row, **palette_of(3))
+    key_below(axes[1], kind_key([sample.numbers["map"]["phases"][kind["id"]] for kind in kinds[:3]]), 3)
 
 
 def draw_component(figure, sample, name, row):

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "grains/dem/advance.hpp"
 #include "grains/dem/boundaries/set_boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/conditions.hpp"
@@ -14,9 +15,6 @@
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
-/// Goes on by so many steps.
-template <int D> void advance(SampleIn<D>& sample, const ThreadPool& pool, std::int64_t steps);
 
 /// A sample that moves, with the threads that move it. Inside, disks are sorted by place and their contacts listed;
 /// what is measured has the caller's order. Same input, same kernel: same bits for any thread count. All else that is
@@ -37,6 +35,7 @@ template <int D> class EngineIn : public SampleIn<D> {
 
   /// Goes on by so many steps.
   void advance(std::int64_t steps);
+  const ThreadPool& pool() const { return *pool_; }
 
   /// Inserts and removes the grains that are due, `since` so many s.
   void exchange(const Exchange& exchange, double since);

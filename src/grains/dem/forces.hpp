@@ -102,18 +102,10 @@ double sliding_stiffness(const SampleIn<D>& s, const N& normal, std::size_t slot
                            s.list.shear[slot]);
 }
 
-/// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of
-/// the walls. Springs of the friction law move on by one step.
-template <int D> void compute_forces(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
-
 /// Adds a force on a grain that a wall exerts to the wall's own, as its opposite.
 template <int D> void push_wall(SampleIn<D>& s, int side, Vec<D> on_grain) {
   s.domain.wall[side].force += dot(on_grain, inward_normal<D>(side));
   s.domain.wall[side].shear_force -= along(side, on_grain);
 }
-
-/// Forces of the edges of a periodic cell, the means over all its cuts: of those across x (1/W) sum f l_x. Not part of
-/// compute_forces, because only driven edges and readers need them.
-template <int D> void sum_edge_forces(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
 
 }  // namespace arenite::dem

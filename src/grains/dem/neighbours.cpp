@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "grains/dem/forces.hpp"
+#include "grains/dem/advance.hpp"
 #include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/measure.hpp"
 

@@ -7,6 +7,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/laws/friction_coefficients.hpp"
 
 namespace arenite::dem {
 
@@ -59,9 +60,7 @@ void ContactParameters::declare(Visitor& v) {
           "The dashpot may attract while grains separate; false: contacts without adhesion are never tensile."},
          attractive_dashpot);
   v.member({"friction_law", "Tangential force."}, friction_law);
-  v.number({"friction", "Coefficient mu between grains."}, friction, "", range::not_negative);
-  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, wall_friction, "",
-           range::not_negative);
+  declare_friction(v, friction, wall_friction);
   v.number(
       {"sliding_viscosity",
        "gamma_s, tangential damping coefficient of the friction law; if not given, the normal damping of the pair."},

@@ -180,7 +180,7 @@ template <int D> void continue_stage(EngineIn<D>& engine, const Stage& stage, St
   const WallDrivesIn<D> drives = drives_for<D>(stage, leg, engine.domain);
   set_drives<D>(engine, drives);
   const std::int64_t steps = leg.until ? std::min(check_interval, *leg.until - run.steps_in_increment) : check_interval;
-  engine.advance(steps);
+  advance<D>(engine, engine.pool(), steps);
   run.steps_in_increment += steps;
   engine.exchange(stage.exchange, time_of<D>(engine) - run.start.time);
   run.latest = equilibrium_of<D>(engine);

@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
+#include "grains/dem/advance.hpp"
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/glue.hpp"

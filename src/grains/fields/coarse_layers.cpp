@@ -29,18 +29,20 @@ Values kinetic_pressures(const CoarseFields& f) { return mapped(f.kinetic_stress
 }  // namespace
 
 const std::vector<CoarseLayer>& coarse_layers() {
+  using enum ColourScale;
   static const std::vector<CoarseLayer> list{
-      {"solid_fraction", "Solid fraction", "\u03c6", "", false, [](const CoarseFields& f) { return f.solid_fraction; }},
-      {"density", "Density", "\u03c1", "kg/m^3", false, [](const CoarseFields& f) { return f.density; }},
-      {"speed", "Velocity", "|v|", "m/s", true, nullptr, "vx vy hypot"},
-      {"vx", "Velocity along x", "v_{x}", "m/s", true,
+      {"solid_fraction", "Solid fraction", "\u03c6", "", even, false,
+       [](const CoarseFields& f) { return f.solid_fraction; }},
+      {"density", "Density", "\u03c1", "kg/m^3", even, false, [](const CoarseFields& f) { return f.density; }},
+      {"speed", "Velocity", "|v|", "m/s", even, true, nullptr, "vx vy hypot"},
+      {"vx", "Velocity along x", "v_{x}", "m/s", diverging, true,
        [](const CoarseFields& f) { return mapped(f.velocity, &Vec2::x); }},
-      {"vy", "Velocity along y", "v_{y}", "m/s", true,
+      {"vy", "Velocity along y", "v_{y}", "m/s", diverging, true,
        [](const CoarseFields& f) { return mapped(f.velocity, &Vec2::y); }},
-      {"pressure", "Pressure", "p", "Pa", false, pressures},
-      {"deviator", "Deviator of stress", "q", "Pa", false, deviators},
-      {"shear", "Shear stress", "\u03c3_{xy}", "Pa", false, shears},
-      {"kinetic", "Kinetic pressure", "p_{kin}", "Pa", true, kinetic_pressures}};
+      {"pressure", "Pressure", "p", "Pa", stress, false, pressures},
+      {"deviator", "Deviator of stress", "q", "Pa", stress, false, deviators},
+      {"shear", "Shear stress", "\u03c3_{xy}", "Pa", diverging, false, shears},
+      {"kinetic", "Kinetic pressure", "p_{kin}", "Pa", stress, true, kinetic_pressures}};
   return list;
 }
 

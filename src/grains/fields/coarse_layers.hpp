@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "grains/fields/coarse_grained.hpp"
+#include "model/colour_scale.hpp"
 #include "model/result.hpp"
 
 namespace arenite::fields {
@@ -11,6 +12,7 @@ namespace arenite::fields {
 /// the shear stress.
 struct CoarseLayer {
   std::string_view name, label, symbol, unit;
+  ColourScale colours = ColourScale::even;
   bool is_of_motion = false;  ///< nothing where grains are at rest
   std::vector<double> (*of)(const CoarseFields& fields) = nullptr;
   std::string_view formula = {};  ///< instead, of other layers (core/formula.hpp)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/problems.hpp"
+#include "grains/dem/laws/friction_coefficients.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 #include "statistics/jackknife.hpp"
@@ -49,9 +50,7 @@ statistics::Curve density_of(const FrictionState& state, const statistics::Items
 }  // namespace
 
 void declare(ParameterVisitor& v, FrictionOptions& options) {
-  v.number({"friction", "Coefficient mu between grains."}, options.friction, "", range::not_negative);
-  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, options.wall_friction,
-           "", range::not_negative);
+  dem::declare_friction(v, options.friction, options.wall_friction);
 }
 
 FrictionState measure_friction(const Packing& packing, const FrictionOptions& options) {

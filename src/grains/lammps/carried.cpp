@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "grains/dem/advance.hpp"
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/time_step.hpp"

@@ -118,32 +118,34 @@ template <int D> std::vector<std::vector<Vec<D>>> ways_of(const std::vector<Shea
 }  // namespace
 
 const std::vector<GrainQuantity>& grain_quantities() {
+  using enum ColourScale;
   static const std::vector<GrainQuantity> list{
-      {"x", "Position along x", "x", "m", places<2, 0>, {}, places<3, 0>},
-      {"y", "Position along y", "y", "m", places<2, 1>, {}, places<3, 1>},
-      {"z", "Position along z", "z", "m", nullptr, {}, places<3, 2>},
-      {"size", "Diameter", "d", "m", diameters<2>, {}, diameters<3>, true},
-      {"coordination", "Contacts per grain", "z", "", contact_numbers<2>, {}, contact_numbers<3>, true},
-      {"pressure", "Pressure of grains", "p", "Pa", pressures, {}, pressures},
-      {"deviator", "Deviator of grains", "q", "Pa", deviators, {}, deviators, true},
-      {"stress", "Stress over its mean", "\u03c3_{norm}", ""},
-      {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", ratios_of_forces<2>, {}, ratios_of_forces<3>, true},
+      {"x", "Position along x", "x", "m", even, places<2, 0>, {}, places<3, 0>},
+      {"y", "Position along y", "y", "m", even, places<2, 1>, {}, places<3, 1>},
+      {"z", "Position along z", "z", "m", even, nullptr, {}, places<3, 2>},
+      {"size", "Diameter", "d", "m", even, diameters<2>, {}, diameters<3>, true},
+      {"coordination", "Contacts per grain", "z", "", even, contact_numbers<2>, {}, contact_numbers<3>, true},
+      {"pressure", "Pressure of grains", "p", "Pa", stress, pressures, {}, pressures},
+      {"deviator", "Deviator of grains", "q", "Pa", stress, deviators, {}, deviators, true},
+      {"stress", "Stress over its mean", "\u03c3_{norm}", "", stress},
+      {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", even, ratios_of_forces<2>, {}, ratios_of_forces<3>, true},
       {.name = "mobilisation",
        .label = "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})",
        .symbol = "|F_{t}|/(\u03bc\u2009F_{n})",
        .unit = "",
+       .colours = stress,
        .is_magnitude = true},
       {.name = "displacement",
        .label = "Displacement since the first state",
        .symbol = "|u|",
        .unit = "m",
        .is_magnitude = true},
-      {"rotation", "Rotation since the first state", "\u03b8", "rad"},
-      {"speed", "Velocity", "|v|", "m/s", nullptr, "vx vy hypot", speeds, true},
-      {"vx", "Velocity along x", "v_{x}", "m/s", velocities<2, 0>, {}, velocities<3, 0>},
-      {"vy", "Velocity along y", "v_{y}", "m/s", velocities<2, 1>, {}, velocities<3, 1>},
-      {"vz", "Velocity along z", "v_{z}", "m/s", nullptr, {}, velocities<3, 2>},
-      {"spin", "Angular velocity", "\u03c9", "rad/s", spins<2>, {}, spins<3>}};
+      {"rotation", "Rotation since the first state", "\u03b8", "rad", diverging},
+      {"speed", "Velocity", "|v|", "m/s", even, nullptr, "vx vy hypot", speeds, true},
+      {"vx", "Velocity along x", "v_{x}", "m/s", diverging, velocities<2, 0>, {}, velocities<3, 0>},
+      {"vy", "Velocity along y", "v_{y}", "m/s", diverging, velocities<2, 1>, {}, velocities<3, 1>},
+      {"vz", "Velocity along z", "v_{z}", "m/s", diverging, nullptr, {}, velocities<3, 2>},
+      {"spin", "Angular velocity", "\u03c9", "rad/s", diverging, spins<2>, {}, spins<3>}};
   return list;
 }
 

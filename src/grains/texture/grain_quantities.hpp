@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/colour_scale.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::texture {
@@ -13,6 +14,7 @@ namespace arenite::texture {
 /// page and print.
 struct GrainQuantity {
   std::string_view name, label, symbol, unit;
+  ColourScale colours = ColourScale::even;
   std::vector<double> (*of)(const Packing& packing) = nullptr;
   /// Instead of `of`, of other numbers here (core/formula.hpp).
   std::string_view formula = {};

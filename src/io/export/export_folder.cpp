@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/option.hpp"
 #include "io/disk/file.hpp"
 
 namespace arenite::io {
@@ -13,7 +14,8 @@ namespace fs = std::filesystem;
 ExportFolder::ExportFolder(fs::path folder) : folder_(std::move(folder)) {
   std::error_code error;
   made_ = fs::create_directories(folder_, error);
-  if (error) throw InputError(folder_.string(), 0, "cannot be created: " + error.message() + "; give another --out");
+  if (error)
+    throw InputError(folder_.string(), 0, "cannot be created: " + error.message() + "; give another " + option("out"));
 }
 
 ExportFolder::~ExportFolder() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "io/export/export.hpp"
 #include "io/export/netcdf_file.hpp"
@@ -118,8 +119,8 @@ template <int D> void put_grains(NetcdfFile& file, const States<D>& snapshots) {
   for (const auto& f : snapshots)
     if (f.snapshot->packing.grains.id != first.id)
       throw InputError(
-          "its states do not have the same grains, so they do not fit in an array over (time, grain); export with "
-          "--last, or as csv");
+          "its states do not have the same grains, so they do not fit in an array over (time, grain); export with " +
+          option("last") + ", or as csv");
   file.dimension("grain", first.id, {"1", "id of the grain"});
   const std::vector<std::string> over{"time", "grain"};
   const bool same_radii = std::all_of(snapshots.begin(), snapshots.end(),

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "io/film/formats.hpp"
 #include "io/film/hdf5_facts.hpp"
@@ -78,11 +79,9 @@ class Hdf5Film : public KnownFilm {
     if (info_.integration == 0) info_.integration = facts.integration;
     take_times(facts, choice);
     if (facts.no_rate < 0 && info_.frame_rate == 0 && info_.time.empty() && !choice.frame_rate)
-      refuse(
-          bytes_->name(),
-          "states a frame rate of {:g} Hz, which is none; give the right one (--frame-rate, frame_rate in [film] of a "
-          "recipe)",
-          facts.no_rate);
+      refuse(bytes_->name(),
+             "states a frame rate of {:g} Hz, which is none; give the right one ({}, frame_rate in [film] of a recipe)",
+             facts.no_rate, option("frame-rate"));
     take_choice(info_, choice);
   }
 

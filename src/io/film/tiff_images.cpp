@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/option.hpp"
 #include "core/text.hpp"
 
 namespace arenite::io {
@@ -97,8 +98,8 @@ void TiffImages::choose(const TiffSource& source, const std::string& channel) {
     names.push_back(fmt::format("channel {}", c));
   const auto found = std::ranges::find(names, channel);
   if (found == names.end())
-    source.refuse(fmt::format("holds {} frames of {} channels, as {} describes it; choose one with --dataset: {}",
-                              stack_.frames, stack_.channels, stack_.by, list_of(names)));
+    source.refuse(fmt::format("holds {} frames of {} channels, as {} describes it; choose one with {}: {}",
+                              stack_.frames, stack_.channels, stack_.by, option("dataset"), list_of(names)));
   channel_ = found - names.begin();
 }
 

@@ -1,5 +1,6 @@
 #include "io/hdf5/foreign.hpp"
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/hdf5/dataset_search.hpp"
@@ -76,7 +77,8 @@ FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::s
   if (found.empty())
     refuse(file_name, "is an HDF5 file of another program and holds no dataset of {}; give a file with one", kind);
   if (found.size() > 1)
-    refuse(file_name, "holds {} possible datasets; choose one with --dataset: {}", found.size(), list_of(found));
+    refuse(file_name, "holds {} possible datasets; choose one with {}: {}", found.size(), option("dataset"),
+           list_of(found));
   return {found.front(), open(found.front())};
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 
@@ -80,10 +81,8 @@ void check_size(const std::string& file, std::int64_t width, std::int64_t height
 std::int64_t chosen_slice(const std::string& file, std::int64_t count, const ImageChoice& choice) {
   if (count <= 0) refuse(file, "holds no picture; give a file with at least one");
   if (!choice.slice && count > 1)
-    refuse(
-        file,
-        "is a stack of {} slices; choose one with --slice 0 to {}, or for a load take all as voxels with --dimension 3",
-        count, count - 1);
+    refuse(file, "is a stack of {} slices; choose one with {} 0 to {}, or for a load take all as voxels with {} 3",
+           count, option("slice"), count - 1, option("dimension"));
   const std::int64_t slice = choice.slice.value_or(0);
   if (slice < 0 || slice >= count)
     refuse(file, "has no slice {}; its slices are numbered from 0 to {}", slice, count - 1);

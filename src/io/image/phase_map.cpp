@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/table/table.hpp"
@@ -68,10 +69,10 @@ void number_grains(PhaseMap& map, const std::vector<std::int32_t>& label, const 
                   "has no label for {} particle pixels, the first at {}; label them, or leave the labels out so that "
                   "grains are found",
                   bare, pixel(map, first_bare, options.crop));
-  problems.unless(outside == 0,
-                  "labels {} pixels that are not particle, the first at {}; write 0 there, or state with --phases that "
-                  "they are particle",
-                  outside, pixel(map, first_outside, options.crop));
+  problems.unless(
+      outside == 0,
+      "labels {} pixels that are not particle, the first at {}; write 0 there, or state with {} that they are particle",
+      outside, pixel(map, first_outside, options.crop), option("phases"));
   problems.raise();
   map.grain_class.assign(number.size(), GrainClass::none);
 }
@@ -136,15 +137,14 @@ PhaseTable guess(const Counts& counts, std::size_t total, const std::string& fil
   if (counts.size() > too_many)
     refuse(file,
            "has {} values, {}; it is not a phase map: a photograph must be segmented first, and grain labels are given "
-           "with --labels beside a phase map",
-           counts.size(), listed(counts, total));
+           "with {} beside a phase map",
+           counts.size(), listed(counts, total), option("labels"));
   if (counts.size() > 2)
-    refuse(file, "has the values {}; state the phase of each, for example with --phases {}", listed(counts, total),
-           proposal(counts));
+    refuse(file, "has the values {}; state the phase of each, for example with {} {}", listed(counts, total),
+           option("phases"), proposal(counts));
   notes.push_back(fmt::format(
-      "Values {}: the lower was taken as void, the higher as particle. Where particles lie in a matrix, give "
-      "--phases {}.",
-      listed(counts, total), proposal_of_matrix(counts)));
+      "Values {}: the lower was taken as void, the higher as particle. Where particles lie in a matrix, give {} {}.",
+      listed(counts, total), option("phases"), proposal_of_matrix(counts)));
   return {{counts.begin()->first, Phase::empty}, {counts.rbegin()->first, Phase::particle}};
 }
 
@@ -153,8 +153,8 @@ void refuse_unknown(const Counts& counts, const PhaseTable& table, std::size_t t
   for (const auto& [value, count] : counts)
     if (!table.contains(value)) unknown[value] = count;
   if (!unknown.empty())
-    refuse(file, "has values whose phase is not given: {}; add them to --phases, or save the picture without smoothing",
-           listed(unknown, total));
+    refuse(file, "has values whose phase is not given: {}; add them to {}, or save the picture without smoothing",
+           listed(unknown, total), option("phases"));
 }
 
 void refuse_one_phase(const Counts& counts, const PhaseTable& table, bool several_grains, const std::string& file) {
@@ -192,7 +192,8 @@ ForeignMap make_phase_map(const Image& picture, const Image* labels, const Phase
   if (labels == nullptr) return result;
   if (std::find(map.phase.begin(), map.phase.end(), Phase::particle) == map.phase.end())
     refuse(label_file,
-           "gives labels to a map without particles; leave them out, or state with --phases which value is particle");
+           "gives labels to a map without particles; leave them out, or state with {} which value is particle",
+           option("phases"));
   number_grains(map, bottom_first(marks.value, marks.width, marks.height), options, label_file);
   result.labelled = true;
   return result;

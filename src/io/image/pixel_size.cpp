@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/image/tiff.hpp"
 #include "io/image/tiff_stack.hpp"
@@ -24,9 +25,9 @@ std::optional<double> square_pixel(const std::string& file, double x, double y, 
   const bool is_stated = x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y);
   if (is_stated && !(std::abs(x / y - 1) < 1e-3))
     refuse(file,
-           "has pixels {:.6g} times as wide as high, which are no squares; resample it to squares, or give the "
-           "side of a pixel (--dx) if they are squares all the same",
-           y / x);
+           "has pixels {:.6g} times as wide as high, which are no squares; resample it to squares, or give the side of "
+           "a pixel ({}) if they are squares all the same",
+           y / x, option("dx"));
   if (!is_stated || !(length > 0)) return std::nullopt;
   const double pixel = length / x;
   const bool is_of_screens =
@@ -86,9 +87,9 @@ std::optional<double> stated_pixel(const std::filesystem::path& picture) {
 
 std::string told_pixel(double pixel) {
   return fmt::format(
-      "the file states pixels of {0:.6g} um; to have lengths by them, give --dx \"{0:.6g} um\" (dx in [map] of a "
+      "the file states pixels of {0:.6g} um; to have lengths by them, give {1} \"{0:.6g} um\" (dx in [map] of a "
       "recipe)",
-      1e6 * pixel);
+      1e6 * pixel, option("dx"));
 }
 
 }  // namespace arenite::io

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/option.hpp"
 #include "io/sample/contact_rows.hpp"
 #include "io/sample/materials.hpp"
 
@@ -38,7 +39,8 @@ GrainIndex add_grains(const RawGrains& raw, const Laid<D>& laid, bool closed, Gr
     if (!is_finite(centre))
       problems.add(row.line, "the centre of grain {} is beyond the range of numbers; correct it", row.id);
     if (closed && is_outside<D>(laid.cell, centre))
-      problems.add(row.line, "grain {} lies outside the box; correct its centre, --box or --origin", row.id);
+      problems.add(row.line, "grain {} lies outside the box; correct its centre, {} or {}", row.id, option("box"),
+                   option("origin"));
     if (row.zone < 0 || row.zone > 255)
       problems.add(row.line, "the zone of grain {} is {}; zones are numbers from 0 to 255", row.id, row.zone);
     else grains.zone[g] = static_cast<std::uint8_t>(row.zone);
@@ -54,7 +56,7 @@ void finish(const SampleOptions& options, bool /*has_box*/, Packing& packing, Pr
   packing.domain.thickness = options.thickness.value_or(0);
 }
 void finish(const SampleOptions& options, bool has_box, PackingIn<3>& packing, Problems& problems) {
-  if (options.thickness) problems.add("these are spheres, which have no thickness; leave out --thickness");
+  if (options.thickness) problems.add("these are spheres, which have no thickness; leave out {}", option("thickness"));
   auto& wall = packing.domain.wall;
   GrainsIn<3>& grains = packing.grains;
   for (Vec3& place : grains.position) place = packing.domain.wrapped(place);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/option.hpp"
 #include "core/text.hpp"
 
 namespace arenite::io {
@@ -27,10 +28,10 @@ void StatedColumns::see_vector(std::initializer_list<std::string_view> names, bo
 
 void StatedColumns::tell(std::vector<std::string>& notes) const {
   if (!are_mixed()) return;
-  notes.push_back(fmt::format(
-      "No unit is stated for {}, while one is for {}: SI (m, N) was assumed; --length-unit, --force-unit or "
-      "a header such as \"{} [...]\" changes this.",
-      list_of(bare_), list_of(stated_), bare_.front()));
+  notes.push_back(
+      fmt::format("No unit is stated for {}, while one is for {}: SI (m, N) was assumed; {}, {} or a header such as "
+                  "\"{} [...]\" changes this.",
+                  list_of(bare_), list_of(stated_), option("length-unit"), option("force-unit"), bare_.front()));
 }
 
 }  // namespace arenite::io

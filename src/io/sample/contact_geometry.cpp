@@ -1,4 +1,5 @@
 #include "io/sample/contact_geometry.hpp"
+#include "core/option.hpp"
 
 #include <fmt/core.h>
 
@@ -110,8 +111,8 @@ bool PlacesOfWalls<D>::take(const PackingIn<D>& p, const Laid<D>& laid, const Ra
   if (!row.is_towards && p.domain.is_periodic(row.wall)) {
     problems.add(row.line,
                  "grain {} touches the side {}, but the box is periodic along {}, where it has no walls; correct the "
-                 "row, --periodic, or the box of the file",
-                 row.i, side, "xyz"[laid.frame.axis[axis_of(row.wall)]]);
+                 "row, {}, or the box of the file",
+                 row.i, side, "xyz"[laid.frame.axis[axis_of(row.wall)]], option("periodic"));
     return false;
   }
   const double radius = p.grains.radius[i];
@@ -120,8 +121,9 @@ bool PlacesOfWalls<D>::take(const PackingIn<D>& p, const Laid<D>& laid, const Ra
   if (!row.is_towards && !row.point && !(ratio > 0 && ratio <= far_apart)) {
     problems.add(row.line,
                  "grain {} of radius {:g} m touches the side {}, but its centre is {:g} m {} the box there; correct "
-                 "the row, --box, --origin, or the box of the file",
-                 row.i, radius, side, std::abs(depth), depth < 0 ? "outside" : "inside");
+                 "the row, {}, {}, or the box of the file",
+                 row.i, radius, side, std::abs(depth), depth < 0 ? "outside" : "inside", option("box"),
+                 option("origin"));
     return false;
   }
   ++count_;
@@ -135,8 +137,8 @@ template <int D> void PlacesOfWalls<D>::tell(std::vector<std::string>& notes) co
   if (off_ == 0) return;
   notes.push_back(
       fmt::format("In {} of {} contacts with walls the box does not fit the grain: its centre lies {:.3g} radii from "
-                  "the wall where it is worst, and 1 touches; correct --box, --origin or the box of the file.",
-                  off_, count_, worst_));
+                  "the wall where it is worst, and 1 touches; correct {}, {} or the box of the file.",
+                  off_, count_, worst_, option("box"), option("origin")));
 }
 
 template <int D> void TurnedNormals<D>::take(const ContactGeometry<D>& contact) {

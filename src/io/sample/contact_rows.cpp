@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "io/sample/contact_geometry.hpp"
 
 namespace arenite::io {
@@ -143,9 +144,9 @@ template <int D> class ContactRows {
     const double ri = packing_.grains.radius[i], rj = packing_.grains.radius[j];
     if (row.overlap || row.point || !(ri > 0 && rj > 0) || gap <= (far_apart - 1) * (ri + rj)) return false;
     problems_.add(row.line,
-                  "grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give --box and "
-                  "--periodic or nx, ny if they touch across a periodic side",
-                  row.i, row.j, (gap + ri + rj) / (ri + rj));
+                  "grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give {} and {} "
+                  "or nx, ny if they touch across a periodic side",
+                  row.i, row.j, (gap + ri + rj) / (ri + rj), option("box"), option("periodic"));
     return true;
   }
 
@@ -175,9 +176,9 @@ template <int D> class ContactRows {
     ContactsIn<D>& contacts = packing_.contacts;
     if (!options_.merge_doubled && !both_ways)
       return problems_.add(row.line,
-                           "the contact of {} and {} is already in line {}; remove one, merge them with --doubled "
-                           "merge, or give the contact points as x, y where grains that are no disks touch at several",
-                           row.i, name_of_other(row), lines_[c]);
+                           "the contact of {} and {} is already in line {}; remove one, merge them with {}, or give "
+                           "the contact points as x, y where grains that are no disks touch at several",
+                           row.i, name_of_other(row), lines_[c], option("doubled merge"));
     const double n = ++rows_merged_[c];
     contacts.fn[c] += (f.fn - contacts.fn[c]) / (n + 1);
     contacts.ft[c] += (f.ft - contacts.ft[c]) / (n + 1);

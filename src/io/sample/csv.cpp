@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "io/sample/column_units.hpp"
 #include "io/sample/formats.hpp"
@@ -45,7 +46,8 @@ bool knows_pixels(const Table& table, const SampleOptions& options, Problems& pr
   if (options.pixel > 0 || std::ranges::none_of(table.columns, is_in_pixels)) return true;
   problems.add(table.header_line,
                "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by "
-               "--pixel, for example --pixel \"1.6 mm\", or to `arenite grains`, which then writes the table in mm");
+               "{0}, for example {0} \"1.6 mm\", or to `arenite grains`, which then writes the table in mm",
+               option("pixel"));
   return false;
 }
 
@@ -59,9 +61,9 @@ Field find_length(const Table& table, std::initializer_list<std::string_view> na
 
 /// Says so where SI was assumed, since a factor of 1000 is easily overlooked.
 void note_assumed_unit(const Table& table, const char* column, bool chosen, const char* what, const char* si,
-                       const char* option, std::vector<std::string>& notes) {
+                       const char* other, std::vector<std::string>& notes) {
   if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty())
-    notes.push_back(assumed_unit(what, si, option, column));
+    notes.push_back(assumed_unit(what, si, other, column));
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
@@ -111,7 +113,7 @@ RawGrains read_grains_csv(const Reading& reading) {
   RawGrains grains = grains_in(table, "grains need id, x, y, radius and may have z, material, zone", options, problems);
   units.tell(grains.notes);
   if (!units.are_mixed())
-    note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
+    note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "length-unit", grains.notes);
   note_fewer(snapshots.sizes(), reading.snapshot, grains.notes);
   return grains;
 }
@@ -170,7 +172,7 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   units.see({"overlap"}, length_given);
   units.tell(contacts.notes);
   if (!units.are_mixed())
-    note_assumed_unit(table, vector ? "fx" : "fn", force_given, "force", "N", "--force-unit", contacts.notes);
+    note_assumed_unit(table, vector ? "fx" : "fn", force_given, "force", "N", "force-unit", contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;
@@ -249,9 +251,10 @@ const SampleFormat samples::csv{
     .grain_moments = grain_moments_csv,
     .contact_moments = contact_moments_csv};
 
-std::string assumed_unit(const char* what, const char* si, const char* option, const char* column) {
+std::string assumed_unit(const char* what, const char* si, const char* other, const char* column) {
   const std::string header = *column ? fmt::format(" or a header such as \"{} [...]\"", column) : "";
-  return fmt::format("The file states no unit of {}, so {} was assumed; {}{} changes this.", what, si, option, header);
+  return fmt::format("The file states no unit of {}, so {} was assumed; {}{} changes this.", what, si, option(other),
+                     header);
 }
 
 RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems) {

@@ -163,7 +163,7 @@ RawGrains read_xyz(const Reading& reading) {
   grains = grains_in(table, "Properties need pos:R:3 and radius:R:1", reading.options, problems);
   grains.stated = cell;
   grains.material_name = std::move(names);
-  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
+  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
   return grains;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "io/sample/formats.hpp"
 #include "io/sample/lammps_dump.hpp"
@@ -46,12 +47,11 @@ std::string missing_columns(const std::vector<std::string_view>& names, const st
     example.append(example.empty() ? "" : ",").append(known ? pair[next++] : "-");
   }
   return fmt::format(
-      "it is not known which of the columns ({}) are the two grains and the force; name them in their order with "
-      "--columns, with \"-\" for those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, {} and "
-      "the tangential {} of pair/local; {} alone are the whole force, as in LIGGGHTS's \"id force\": "
-      "patom1,patom2,-,{})",
-      found, next == pair.size() ? example : "-," + list_of(pair, ","), normal, tangential, normal,
-      axes.size() > 2 ? "fx,fy,fz" : "fx,fy,-");
+      "it is not known which of the columns ({}) are the two grains and the force; name them in their order with {}, "
+      "with \"-\" for those not needed, e.g. {} \"{}\" (patom1 patom2 of property/local, {} and the tangential {} of "
+      "pair/local; {} alone are the whole force, as in LIGGGHTS's \"id force\": patom1,patom2,-,{})",
+      found, option("columns"), option("columns"), next == pair.size() ? example : "-," + list_of(pair, ","), normal,
+      tangential, normal, axes.size() > 2 ? "fx,fy,fz" : "fx,fy,-");
 }
 
 /// Names columns that LAMMPS named after computes by what they hold, and says so.
@@ -68,8 +68,8 @@ void name_opaque_columns(Table& entries, const RawGrains& grains, std::vector<st
     taken.push_back(fmt::format("{} as {}", name, names[k]));
     name = names[k];
   }
-  notes.push_back(
-      fmt::format("Columns of pairs are taken by what they hold: {}; --columns names them otherwise.", list_of(taken)));
+  notes.push_back(fmt::format("Columns of pairs are taken by what they hold: {}; {} names them otherwise.",
+                              list_of(taken), option("columns")));
 }
 
 /// The options with the units that the dump states.
@@ -140,7 +140,7 @@ RawGrains read_lammps_atoms(const Reading& reading) {
   grains.units = dump.units;
   if (dump.cell) grains.stated = scaled_by(*dump.cell, options.length());
   if (columns.scaled && grains.stated) place_in_cell(grains.rows, *grains.stated);
-  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(dump.system, "length", "m", "--length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(dump.system, "length", "m", "length-unit"));
   return grains;
 }
 
@@ -241,7 +241,7 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
     contacts.notes.push_back(
         "A dump of pairs has no contacts with walls: the stress of the sample and the balance of grains at its sides "
         "lack them.");
-  if (!options.force_unit) contacts.notes.push_back(assumed_unit_of(dump.system, "force", "N", "--force-unit"));
+  if (!options.force_unit) contacts.notes.push_back(assumed_unit_of(dump.system, "force", "N", "force-unit"));
   return contacts;
 }
 

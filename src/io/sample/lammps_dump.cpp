@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/text.hpp"
 
 namespace arenite::io {
@@ -116,10 +117,8 @@ std::optional<StatedUnits> unit_system(std::string_view name, const SampleOption
   if (name.empty() || name == "lj") return std::nullopt;
   const auto* known = std::ranges::find(unit_systems, name, &StatedUnits::name);
   if (known == std::end(unit_systems)) {
-    problems.add(
-        "the dump states units \"{}\", which are not known; write it without ITEM: UNITS and give --length-unit and "
-        "--force-unit",
-        name);
+    problems.add("the dump states units \"{}\", which are not known; write it without ITEM: UNITS and give {} and {}",
+                 name, option("length-unit"), option("force-unit"));
     return std::nullopt;
   }
   const auto differs = [](std::optional<double> given, double stated) {
@@ -127,17 +126,17 @@ std::optional<StatedUnits> unit_system(std::string_view name, const SampleOption
   };
   if (differs(options.length_unit, known->length) || differs(options.force_unit, known->force))
     problems.add(
-        "the dump states units {}, of {:g} m and {:g} N, and the units given are others; leave out --length-unit and "
-        "--force-unit, or the dump's ITEM: UNITS",
-        name, known->length, known->force);
+        "the dump states units {}, of {:g} m and {:g} N, and the units given are others; leave out {} and {}, or the "
+        "dump's ITEM: UNITS",
+        name, known->length, known->force, option("length-unit"), option("force-unit"));
   return *known;
 }
 
-std::string assumed_unit_of(std::string_view system, const char* what, const char* si, const char* option) {
-  if (system != "lj") return assumed_unit(what, si, option);
+std::string assumed_unit_of(std::string_view system, const char* what, const char* si, const char* other) {
+  if (system != "lj") return assumed_unit(what, si, other);
   return fmt::format(
       "The file states reduced units (lj), which have no size: {} was taken for that of {}; {} changes this.", si, what,
-      option);
+      option(other));
 }
 
 std::string_view dump_units(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "io/sample/formats.hpp"
 #include "statistics/correlation.hpp"
@@ -90,10 +91,9 @@ void take_cell(const RawCell& stated, Laid<D>& laid, std::vector<std::string>& n
                size = by_axis<D>([&](int k) { return stated.edge[axis[k]][axis[k]]; });
   for (int k = 0; k < D; ++k)
     if (!(size[k] > 0))
-      return notes.push_back(
-          fmt::format("The file states a box of {:g} m along {}, which is no size, so its box is left aside; --box "
-                      "gives another.",
-                      size[k], axis_names[axis[k]]));
+      return notes.push_back(fmt::format(
+          "The file states a box of {:g} m along {}, which is no size, so its box is left aside; {} gives another.",
+          size[k], axis_names[axis[k]], option("box")));
   laid.lay_box(corner, corner + size);
   laid.cell.tilt = stated.edge[axis[1]][axis[0]];
   for (int k = 0; k < D; ++k) laid.cell.periodic[k] = stated.periodic[axis[k]];
@@ -107,7 +107,7 @@ template <int D> std::pair<double, double> span_of(const RawGrains& grains, cons
 }
 
 /// Whether the centres fit between the walls of an axis; if not, a problem.
-bool fit_between_walls(double span, double size, int axis, const char* mend, Problems& problems) {
+bool fit_between_walls(double span, double size, int axis, const std::string& mend, Problems& problems) {
   if (span > size)
     problems.add("the centres span {:g} m along {}, more than the box's {:g} m; correct {}", span, axis_names[axis],
                  size, mend);
@@ -120,14 +120,14 @@ template <int D> void check_stated_box(RawGrains& grains, const Laid<D>& laid, P
     const auto [low, high] = span_of(grains, laid, axis);
     const int named = laid.frame.axis[axis];
     if (!fit_between_walls(high - low, laid.cell.extent(axis), named,
-                           "the box that the file states, or give another by --box", problems))
+                           "the box that the file states, or give another by " + option("box"), problems))
       continue;
     const double from = laid.cell.wall[2 * axis].position, to = laid.cell.wall[2 * axis + 1].position;
     if (low < from || high > to)
       grains.notes.push_back(
           fmt::format("Centres lie from {:g} to {:g} m along {}, in part outside the box that the file states, from "
-                      "{:g} to {:g} m; it was taken as it is, and --box and --origin give another.",
-                      low, high, axis_names[named], from, to));
+                      "{:g} to {:g} m; it was taken as it is, and {} and {} give another.",
+                      low, high, axis_names[named], from, to, option("box"), option("origin")));
   }
 }
 
@@ -136,14 +136,15 @@ template <int D> void place_box(RawGrains& grains, Laid<D>& laid, Problems& prob
     const auto [low, high] = span_of(grains, laid, axis);
     const double size = laid.cell.extent(axis);
     if (laid.cell.periodic[axis] || (low >= 0 && high <= size)) continue;
-    fit_between_walls(high - low, size, laid.frame.axis[axis], "--box or --length-unit", problems);
+    fit_between_walls(high - low, size, laid.frame.axis[axis], option("box") + " or " + option("length-unit"),
+                      problems);
     const double corner = 0.5 * (low + high) - 0.5 * size;
     laid.cell.wall[2 * axis].position = corner;
     laid.cell.wall[2 * axis + 1].position = corner + size;
     grains.notes.push_back(
         fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was placed around "
-                    "them, from {:g} m; --origin sets its position.",
-                    size, axis_names[laid.frame.axis[axis]], corner));
+                    "them, from {:g} m; {} sets its position.",
+                    size, axis_names[laid.frame.axis[axis]], corner, option("origin")));
   }
 }
 

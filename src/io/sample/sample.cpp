@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "io/disk/file.hpp"
 #include "io/sample/assemble.hpp"
@@ -80,8 +81,8 @@ void turn_rows_up(RawContacts& contacts, int down) {
       if (*vector) (**vector)[down] = -(**vector)[down];
 }
 
-template <int D> constexpr const char* wanted_box = "the grains lie in a plane; give --box LX,LY[,tilt]";
-template <> constexpr const char* wanted_box<3> = "the spheres fill space; give --box LX,LY,LZ[,tilt]";
+template <int D> constexpr const char* wanted_box = "the grains lie in a plane; give {} LX,LY[,tilt]";
+template <> constexpr const char* wanted_box<3> = "the spheres fill space; give {} LX,LY,LZ[,tilt]";
 
 template <int D> void apply_box(const SampleOptions& options, Laid<D>& laid, RawGrains& grains, Problems& problems) {
   const auto axes = static_cast<std::size_t>(D);
@@ -89,9 +90,10 @@ template <int D> void apply_box(const SampleOptions& options, Laid<D>& laid, Raw
   for (int axis = 0; axis < D; ++axis) periodic[axis] |= options.periodic[axis];
   if (!options.box.empty()) {
     const bool has_corner = !options.origin.empty();
-    if (options.box.size() < axes || options.box.size() > axes + 1) return problems.add(wanted_box<D>);
+    if (options.box.size() < axes || options.box.size() > axes + 1) return problems.add(wanted_box<D>, option("box"));
     if (has_corner && options.origin.size() != axes)
-      return problems.add("--origin has {} lengths; give one along each of the {} axes", options.origin.size(), axes);
+      return problems.add("{} has {} lengths; give one along each of the {} axes", option("origin"),
+                          options.origin.size(), axes);
     const Vec<D> corner = by_axis<D>([&](int axis) { return has_corner ? options.origin[axis] : 0.0; });
     laid.lay_box(corner, corner + by_axis<D>([&](int axis) { return options.box[axis]; }));
     laid.cell.tilt = options.box.size() > axes ? options.box[axes] : 0;
@@ -100,7 +102,7 @@ template <int D> void apply_box(const SampleOptions& options, Laid<D>& laid, Raw
     check_stated_box(grains, problems);
   }
   if (!laid.has_box && std::ranges::count(periodic, true) > 0)
-    problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt], in space LX,LY,LZ");
+    problems.add("periodic sides need the size of the cell; give {} LX,LY[,tilt], in space LX,LY,LZ", option("box"));
 }
 
 }  // namespace

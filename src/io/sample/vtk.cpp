@@ -248,7 +248,7 @@ RawGrains read_vtk_points(const Reading& reading) {
       problems.add("point {}: radius and diameter contradict each other; leave one of the arrays out", k);
     if (material) grain.material = std::to_string(static_cast<std::int64_t>(std::clamp((*material)[k], -9e15, 9e15)));
   }
-  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
+  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
   return grains;
 }
 

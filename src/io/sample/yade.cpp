@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/text.hpp"
 #include "geometry/cell_grid.hpp"
 #include "geometry/close_pairs.hpp"
@@ -101,9 +102,12 @@ std::string not_joined(std::size_t count, std::size_t all, bool cell) {
   return fmt::format(
       "{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count,
       all,
-      cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
-           : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be "
-             "written at the same step");
+      cell
+          ? fmt::format("the cell does not join the grains across its periodic sides: correct {} (O.cell.hSize) and {}",
+                        option("box"), option("periodic"))
+          : fmt::format("if they cross a periodic side give the cell by {} and {}; spheres and interactions must be "
+                        "written at the same step",
+                        option("box"), option("periodic")));
 }
 
 /// Of each interaction both ends, and the forces on its second body.
@@ -183,7 +187,7 @@ RawGrains read_yade_spheres(const Reading& reading) {
     grains.rows.push_back(std::move(g));
   }
   if (grains.rows.empty() && !problems.any()) problems.add("the file has no spheres; write them with export.textExt");
-  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
   return grains;
 }
 
@@ -218,7 +222,7 @@ RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grai
         "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
     return contacts;
   }
-  if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
+  if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "force-unit"));
   grains.laid([&](const auto& laid) { add_interactions(found, grains, laid, contacts, problems); });
   return contacts;
 }

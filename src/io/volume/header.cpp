@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -103,8 +104,8 @@ std::optional<double> in_metres(double length, const std::string& unit) {
 void take_side(VolumeFacts& facts, double side, const std::string& unit) {
   facts.dx = in_metres(side, unit);
   if (!facts.dx)
-    facts.remarks.push_back(fmt::format("a spacing of {:g} {}, which is no known length, is left aside; give --dx",
-                                        side, unit.empty() ? "without a unit" : unit));
+    facts.remarks.push_back(fmt::format("a spacing of {:g} {}, which is no known length, is left aside; give {}", side,
+                                        unit.empty() ? "without a unit" : unit, option("dx")));
 }
 
 void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated, const std::string& file) {

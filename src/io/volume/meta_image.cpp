@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/volume/header.hpp"
 #include "io/volume/volume.hpp"
@@ -39,7 +40,7 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice&) {
   if (header.has(sides)) {
     const auto spacing = header.numbers(sides, 3);
     take_side(facts, side_of({spacing[0], spacing[1], spacing[2]}, file), "mm");
-    facts.remarks.push_back("its spacing is taken in mm, as ITK does; give --dx where it is not");
+    facts.remarks.push_back("its spacing is taken in mm, as ITK does; give " + option("dx") + " where it is not");
   }
   for (const char* key : {"transformmatrix", "rotation", "orientation"})
     if (header.has(key)) {

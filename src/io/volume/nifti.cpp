@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/vec.hpp"
 #include "io/disk/file.hpp"
@@ -90,8 +91,8 @@ void take_place(VolumeFacts& facts, const NiftiHeader& header, const std::array<
       if (const double side = norm((*along)[k]); !(std::abs(side / spacing[k] - 1) <= 1e-3))
         refuse(file,
                "states voxels of {:.6g} along axis {} by its sform and of {:.6g} by its pixdim; save it with the right "
-               "one in both, or give the side of a voxel (--dx)",
-               side, k + 1, spacing[k]);
+               "one in both, or give the side of a voxel ({})",
+               side, k + 1, spacing[k], option("dx"));
     tell_origin(facts, {number(292), number(308), number(324)}, "the offset of its sform");
   } else if (const auto turned = steps_of_qform(header)) {
     tell_turned(facts, *turned, "the steps of its qform", file);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/disk/numpy_header.hpp"
@@ -73,8 +74,8 @@ VolumePointer open_npz(const Bytes& bytes, const VolumeChoice& choice) {
   if (volumes.empty() && choice.dataset.empty())
     refuse(bytes->name(), "has no array of three dimensions; its arrays: {}", list_of(names));
   if (volumes.size() != 1)
-    refuse(bytes->name(), "has {} arrays of three dimensions{}; choose one by --dataset: {}", volumes.size(),
-           choice.dataset.empty() ? "" : " of that name", list_of(names));
+    refuse(bytes->name(), "has {} arrays of three dimensions{}; choose one by {}: {}", volumes.size(),
+           choice.dataset.empty() ? "" : " of that name", option("dataset"), list_of(names));
   return open_numpy_array(volumes.front());
 }
 

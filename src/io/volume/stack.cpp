@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/film/file_names.hpp"
 #include "io/film/film.hpp"
@@ -88,8 +89,8 @@ std::optional<double> pixel_of_cubes(const Bytes& picture, const VolumeChoice& c
   if (pixel && spacing && std::abs(*spacing / *pixel - 1) > 1e-3)
     refuse(picture->name(),
            "states pixels of {:.6g} um and pictures {:.6g} um apart, so that its voxels are no cubes; resample it to "
-           "cubes, or give the side of a voxel (--dx) if they are cubes all the same",
-           1e6 * *pixel, 1e6 * *spacing);
+           "cubes, or give the side of a voxel ({}) if they are cubes all the same",
+           1e6 * *pixel, 1e6 * *spacing, option("dx"));
   return pixel;
 }
 

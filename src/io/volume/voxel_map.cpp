@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 
@@ -33,17 +34,18 @@ PhaseTable guessed_phases(VolumeSource& volume, const std::string& file, std::ve
       if (found.size() <= most) ++found[value];
   });
   if (found.size() == 1)
-    refuse(file, "has the value {0} everywhere; say which phase it is, for example --phases \"{0}=particle\"",
-           found.begin()->first);
+    refuse(file, "has the value {0} everywhere; say which phase it is, for example {1} \"{0}=particle\"",
+           found.begin()->first, option("phases"));
   if (found.size() != 2) {
     std::vector<std::string> words;
     for (const auto& [value, count] : found) words.push_back(fmt::format("{}", value));
-    refuse(file, "has {} values ({}{}); say which phase each is, for example --phases \"0=void,1=matrix,2=particle\"",
+    refuse(file, "has {} values ({}{}); say which phase each is, for example {} \"0=void,1=matrix,2=particle\"",
            found.size() > most ? "more than 12" : fmt::format("{}", found.size()), list_of(words),
-           found.size() > most ? ", .." : "");
+           found.size() > most ? ", .." : "", option("phases"));
   }
   const std::int32_t low = found.begin()->first, high = found.rbegin()->first;
-  notes.push_back(fmt::format("{} is taken as void and {} as particle; say otherwise by --phases", low, high));
+  notes.push_back(
+      fmt::format("{} is taken as void and {} as particle; say otherwise by {}", low, high, option("phases")));
   return {{low, Phase::empty}, {high, Phase::particle}};
 }
 
@@ -99,7 +101,7 @@ ForeignVoxels read_voxel_map(const std::filesystem::path& path, const VoxelMapOp
         known = table.find(value);
         last = value;
         if (known == table.end())
-          refuse(file, "has the value {} in layer {}, for which --phases names no phase", value, z);
+          refuse(file, "has the value {} in layer {}, for which {} names no phase", value, z, option("phases"));
       }
       *phase++ = known->second;
     }

@@ -1,8 +1,8 @@
 #include "report/figures/axial_figures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -12,17 +12,13 @@
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/loading.hpp"
+#include "model/kinds.hpp"
 #include "report/figures/test_figures.hpp"
 
 namespace arenite::report::figures {
 namespace {
 
 using Values = std::vector<double>;
-
-struct Mode {
-  const char *name, *colour;
-};
-constexpr std::array<Mode, 3> modes{{{"tension", "broken 0"}, {"bending", "broken 1"}, {"shear", "broken 2"}}};
 
 /// The straight line whose slope is the modulus, through the curve where it has half of the strength.
 Series modulus_line(const fields::UniaxialTest& test, const Panel& panel, double factor) {
@@ -45,11 +41,13 @@ void add_modulus(Drawing& drawing, double modulus) {
 std::optional<Panel> broken_panel(const Panel& plain, const History& history, const Values& strain, Drawing& drawing) {
   Panel panel = plain;
   panel.y = {.label = "broken bonds", .low = 0};
-  for (const Mode& mode : modes)
-    if (const Values* count = history.find(std::string("broken_in_") + mode.name)) {
-      panel.series.push_back({.name = mode.name, .colour = mode.colour, .x = strain, .y = *count, .line = Line::solid});
-      drawing.key.push_back({std::string("broken in ") + mode.name, mode.colour});
+  for (std::size_t way = 1; way < bond_breaks.size(); ++way) {
+    const std::string name(bond_breaks[way]), colour = "broken " + std::to_string(way - 1);
+    if (const Values* count = history.find("broken_in_" + name)) {
+      panel.series.push_back({.name = name, .colour = colour, .x = strain, .y = *count, .line = Line::solid});
+      drawing.key.push_back({"broken in " + name, colour});
     }
+  }
   if (panel.series.empty()) return {};
   return panel;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "model/kinds.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -47,10 +48,13 @@ Drawings broken_bonds(const FieldData& data) {
   Drawing drawing;
   Panel panel{{.label = "step"}, {.label = "broken bonds", .low = 0}};
   if (data.has_steps) panel.now = {steps_of(data)};
-  static constexpr const char* types[] = {"matrix", "interface", "particle"};
   for (int type = 1; type <= 3; ++type) {
     const std::string colour = "crack " + std::to_string(type);
-    Series series{.name = types[type - 1], .colour = colour, .x = steps_of(data), .line = Line::solid, .steps = true};
+    Series series{.name = std::string(crack_types[type]),
+                  .colour = colour,
+                  .x = steps_of(data),
+                  .line = Line::solid,
+                  .steps = true};
     std::size_t k = 0;
     double count = 0;
     for (const double until : *broken) {

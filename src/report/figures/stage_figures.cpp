@@ -7,9 +7,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/test_kind.hpp"
+#include "model/kinds.hpp"
 #include "report/figures/cycle_figures.hpp"
 #include "report/figures/flow_figures.hpp"
 #include "report/figures/test_figures.hpp"
@@ -41,7 +43,7 @@ Clock clock_of(const StageData& data) {
 }
 
 struct Named {
-  const char *column, *name;
+  std::string column, name;
 };
 
 /// One line for each of the columns that the history has; what `is_shown` refuses is left out of it.
@@ -181,12 +183,10 @@ Drawings travel(const StageData& data) {
 /// Bonds between grains that broke, by failure mode; those of a test along one axis stand beside its stress.
 Drawings grain_bonds(const StageData& data) {
   if (fields::kind_of(fields::Test{data.stage, data.before}) == fields::TestKind::uniaxial) return {};
-  Drawing drawing = lines_over_time(data,
-                                    {{"broken_in_tension", "tension"},
-                                     {"broken_in_bending", "bending"},
-                                     {"broken_in_shear", "shear"},
-                                     {"broken_in_twisting", "twisting"}},
-                                    [](double) { return true; });
+  std::vector<Named> ways;
+  for (const std::string_view way : std::span(bond_breaks).subspan(1))
+    ways.push_back({"broken_in_" + std::string(way), std::string(way)});
+  Drawing drawing = lines_over_time(data, ways, [](double) { return true; });
   if (drawing.panels.empty() || !(largest_in(drawing.panels.front()) > 0)) return {};
   Panel& panel = drawing.panels.front();
   panel.y = {.label = "broken bonds", .low = 0};

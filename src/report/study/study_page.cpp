@@ -10,6 +10,7 @@
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
+#include "report/drawn.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/page_template.hpp"
 #include "report/study/default_figures.hpp"
@@ -104,7 +105,6 @@ Numbers document_of(const StudyPage& page) {
   });
   about["made"] = fmt::format("Arenite {}.{}", version,
                               has_source ? " Dashed lines and crosses show statements and tables of the source." : "");
-  about["notation"] = figures::notation;
   about["table"] = runs_table(page.table, figures::headlines_of(page.tests.kind), page.link);
   about["figures"] = Numbers::list();
   for (const auto& [head, drawing] : page.tests.laws) {
@@ -150,7 +150,9 @@ std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& cu
   return text;
 }
 
-std::string html_of(const Numbers& document) {
+std::string html_of(Numbers document) {
+  document["notation"] = figures::notation;
+  document["drawn"] = drawn();
   std::string json = to_json(document, -1);
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
   return filled(study_template(),

@@ -34,9 +34,10 @@ struct StudyPage {
 /// print.
 void write_study_page(const std::filesystem::path& path, const StudyPage& page);
 
-/// The page of such a document: {"title", "runs", "made", "notation", "figures"}, "table" (runs_table), and tables of
-/// texts, "first" and "tables" ({"title", "heads", "rows"}), before and after the figures.
-std::string html_of(const Numbers& document);
+/// The page of such a document: {"title", "runs", "made", "figures"}, "table" (runs_table), and tables of texts,
+/// "first" and "tables" ({"title", "heads", "rows"}), before and after the figures; with what all pages say (notation,
+/// drawn).
+std::string html_of(Numbers document);
 
 /// {"title", "figures"} as they are on a page; not known where they do not lie beside it. Throws InputError for what is
 /// damaged.

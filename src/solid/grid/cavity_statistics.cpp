@@ -123,7 +123,7 @@ PhaseFractions phase_fractions(const PhaseMap& map) {
   return f;
 }
 
-std::array<double, 5> fractions_by_kind(const PhaseMap& map) {
+std::array<double, node_kinds.size()> fractions_by_kind(const PhaseMap& map) {
   const PhaseFractions f = phase_fractions(map);
   return {f.empty, f.matrix, f.unclassed, f.small, f.large};
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "model/kinds.hpp"
 #include "model/phase_map.hpp"
 #include "solid/grid/cavities.hpp"
 #include "statistics/estimate.hpp"
@@ -44,9 +45,8 @@ struct PhaseFractions {
 
 PhaseFractions phase_fractions(const PhaseMap& map);
 
-/// The same of the kinds that pictures tell apart, in their order: void, matrix, grains without class, small and large
-/// ones.
-std::array<double, 5> fractions_by_kind(const PhaseMap& map);
+/// The same by NodeKind.
+std::array<double, node_kinds.size()> fractions_by_kind(const PhaseMap& map);
 
 /// Where the probability density of positive volumes is highest, in their unit: the density of their logarithms under a
 /// Gaussian kernel of Silverman's width, over the volume. NaN for fewer than two different volumes.

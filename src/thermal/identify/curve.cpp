@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "core/option.hpp"
 #include "statistics/correlation.hpp"
 
 namespace arenite::identify {
@@ -101,8 +102,8 @@ Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_
   if (points.size() < fewest_points)
     refuse(curve, last,
            fmt::format("a cycle has {} points beyond the preload of {:.4g} N; a slope needs at least {}: record more "
-                       "often, or lower the preload with --preload",
-                       points.size(), options.preload, fewest_points));
+                       "often, or lower the preload with {}",
+                       points.size(), options.preload, fewest_points, option("preload")));
   const auto displacement = mapped(points, [&](std::size_t k) { return curve.x[k]; });
   const Regression line = regress(mapped(points, [&](std::size_t k) { return f[k]; }), displacement);
   const auto [least, most] = std::minmax_element(displacement.begin(), displacement.end());
@@ -160,8 +161,8 @@ std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options
   if (*greatest <= options.preload)
     refuse(curve, static_cast<std::size_t>(greatest - f.begin()),
            fmt::format("the force never exceeds the preload of {:.4g} N, its maximum is {:.4g} N; give the test's own "
-                       "preload with --preload",
-                       options.preload, *greatest));
+                       "preload with {}",
+                       options.preload, *greatest, option("preload")));
   const std::vector<Turn> turns = turns_of(f);
   check_valleys(curve, f, turns);
   std::vector<Cycle> cycles;
@@ -172,8 +173,9 @@ std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options
   }
   if (cycles.empty())
     refuse(curve, curve.x.size() - 1,
-           options.branch == Branch::loading ? "the force never rises; give the loading, or --branch unloading"
-                                             : "the force never falls; give the unloading, or --branch loading");
+           options.branch == Branch::loading
+               ? "the force never rises; give the loading, or " + option("branch") + " unloading"
+               : "the force never falls; give the unloading, or " + option("branch") + " loading");
   return cycles;
 }
 

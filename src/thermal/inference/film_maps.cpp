@@ -24,44 +24,51 @@ MapPixels degrees_after_load(const FilmResult& film) {
 }  // namespace
 
 const std::vector<FilmMap>& film_maps() {
-  using enum FilmMap::Scale;
+  using enum ColourScale;
   const auto picture = [](const FilmResult& film) { return film.picture; };
   static const std::vector<FilmMap> list{
-      {.id = "picture", .label = "Picture", .title = "Image at the smallest load", .unit = "K", .values = picture},
+      {.id = "picture",
+       .label = "Picture",
+       .title = "Image at the smallest load",
+       .unit = "K",
+       .colours = grey,
+       .values = picture},
       {.id = "amplitude",
        .label = "Amplitude",
        .title = "Amplitude",
        .unit = "K",
+       .colours = stress,
        .has_convention = true,
        .values = of_lockin<&LockinMaps::amplitude>},
       {.id = "phase",
        .label = "Phase",
        .title = "Phase relative to the load, \u00b0",
-       .scale = cyclic,
+       .colours = cyclic,
        .values = degrees_after_load},
       {.id = "in_phase",
        .label = "Signed",
        .title = "Warming with the load",
        .unit = "K",
-       .scale = about_zero,
+       .colours = diverging,
        .has_convention = true,
        .values = of_lockin<&LockinMaps::in_phase>},
       {.id = "fitted",
        .label = "From forces",
        .title = "Warming predicted from the contact forces (peak to peak)",
        .unit = "K",
-       .scale = about_zero,
+       .colours = diverging,
        .values = [](const FilmResult& film) { return film.fit.picture; }},
       {.id = "fit_residual",
        .label = "Misfit",
        .title = "Warming beyond that predicted from the contact forces (peak to peak)",
        .unit = "K",
-       .scale = about_zero,
+       .colours = diverging,
        .values = [](const FilmResult& film) { return fit_maps(film).residual; }},
       {.id = "second_harmonic",
        .label = "2\u2009f",
        .title = "Amplitude at twice the frequency",
        .unit = "K",
+       .colours = stress,
        .values = of_lockin<&LockinMaps::second_harmonic>},
       {.id = "standard_error",
        .label = "Noise",
@@ -77,6 +84,7 @@ const std::vector<FilmMap>& film_maps() {
        .label = "Bad pixels",
        .title = "Image at the smallest load",
        .unit = "K",
+       .colours = grey,
        .marks_bad = true,
        .values = picture}};
   return list;
@@ -104,8 +112,9 @@ Numbers words_of(const FilmMap& map, const FilmResult& film) {
   return {{"label", std::string(map.label)},
           {"title", title_of(map, film)},
           {"unit", unit_in(film.film, map.unit)},
-          {"around", map.scale == FilmMap::Scale::about_zero ? "zero" : "ends"},
-          {"cyclic", map.scale == FilmMap::Scale::cyclic},
+          {"colours", std::string(word_of(map.colours))},
+          {"around", map.colours == ColourScale::diverging ? "zero" : "ends"},
+          {"cyclic", map.colours == ColourScale::cyclic},
           {"marks", map.marks_bad}};
 }
 

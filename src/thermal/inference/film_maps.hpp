@@ -3,16 +3,16 @@
 #include <string_view>
 #include <vector>
 
+#include "model/colour_scale.hpp"
 #include "model/film_result.hpp"
 
 /// The maps of a film's pixels that page and print show.
 namespace arenite::inference {
 
 struct FilmMap {
-  enum class Scale { from_end_to_end, about_zero, cyclic };
   std::string_view id, label, title;
   std::string_view unit = {};  ///< of a film in kelvin; empty where the title has it
-  Scale scale = Scale::from_end_to_end;
+  ColourScale colours = ColourScale::even;
   bool has_convention = false;  ///< amplitudes, whose title says which
   bool marks_bad = false;       ///< replaced pixels are marked on it, and it is not there without any
   std::vector<float> (*values)(const FilmResult& film) = nullptr;
@@ -31,8 +31,8 @@ std::vector<float> values_of(const FilmMap& map, const FilmResult& film);
 /// A unit in a film: kelvin are digital levels in one of these.
 std::string unit_in(const FilmInfo& film, std::string_view unit);
 
-/// What is said of a map: "label", "title", "unit", "around" ("ends" or "zero", what its colours are centred about),
-/// "cyclic", "marks".
+/// What is said of a map: "label", "title", "unit", "colours" (the word of its scale), "around" ("ends" or "zero", what
+/// they are centred about), "cyclic", "marks".
 Numbers words_of(const FilmMap& map, const FilmResult& film);
 
 }  // namespace arenite::inference

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/median.hpp"
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/thermography/level_changes.hpp"
@@ -125,9 +126,8 @@ std::vector<double> frame_times(const FilmInfo& film) {
   if (time.empty()) {
     const double rate = film.frame_rate;
     if (!(rate > 0) || !std::isfinite(rate))
-      throw InputError(
-          "the film does not state its frame rate; give it (--frame-rate, frame_rate in [film] of a recipe or beside "
-          "raw frames)");
+      throw InputError("the film does not state its frame rate; give it (" + option("frame-rate") +
+                       ", frame_rate in [film] of a recipe or beside raw frames)");
     for (std::size_t n = 0; n < frames; ++n) time.push_back(static_cast<double>(n) / rate);
     if (film.number.size() == frames)
       std::ranges::transform(film.number, time.begin(), [&](auto n) { return static_cast<double>(n) / rate; });

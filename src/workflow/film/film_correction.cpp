@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "io/table/laboratory_table.hpp"
 #include "thermal/thermography/segment_sums.hpp"
@@ -118,7 +119,8 @@ void refuse_bare_levels(const FilmInfo& film) {
   if (!film.floating && film.quantity == FilmQuantity::unknown)
     throw InputError(
         "holds whole numbers of unknown quantity, and temperature.from = \"film\" takes them for kelvin; give [film] "
-        "scale and offset (--scale, --offset), or choose \"references\", \"curve\" or \"radiometry\"");
+        "scale and offset (" +
+        option("scale") + ", " + option("offset") + "), or choose \"references\", \"curve\" or \"radiometry\"");
 }
 
 void note_doubtful(const thermography::Doubtful& seen, const FilmInfo& film, std::vector<std::string>& notes) {

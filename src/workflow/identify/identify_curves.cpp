@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "thermal/identify/constants.hpp"
 #include "workflow/identify/identify_tables.hpp"
 
@@ -146,8 +147,8 @@ Identification identify_adhesion(const std::string& file, const AdhesionRequest&
       table, {{quantity::displacement, quantity::time}, peaks, separation_quantity, needs_of_adhesion, refusal});
   for (const auto& group : groups) add_group(found, group.name, group.tests, request);
   if (!request.stiffness || !request.radii)
-    found.notes.push_back(
-        "the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
+    found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: " + option("k") +
+                          " \"27.35 kN/mm\" " + option("radius") + " \"6.2 mm\"");
   return finished(std::move(found), table, request.stated);
 }
 

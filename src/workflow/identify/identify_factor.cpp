@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/identify/constants.hpp"
@@ -65,9 +66,9 @@ Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::s
   }
   const auto section = table.find(section_quantity);
   if (!section && !request.section)
-    throw InputError(
-        table.file(), table.header_line(),
-        "forces need the specimen's section; give a column \"section [mm^2]\" or --section \"30.9 mm x 4.9 mm\"");
+    throw InputError(table.file(), table.header_line(),
+                     "forces need the specimen's section; give a column \"section [mm^2]\" or " + option("section") +
+                         " \"30.9 mm x 4.9 mm\"");
   const Column area = section ? table.values(*section, section_quantity) : Column(force.size(), *request.section);
   for (std::size_t k = 0; k < force.size(); ++k) {
     if (!(area[k] > 0))
@@ -91,8 +92,8 @@ Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
   }
   if (!request.young || !request.poisson)
     throw InputError(table.file(), table.header_line(),
-                     "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" "
-                     "--poisson \"0.35 +- 0.02\"");
+                     "strains need the modulus and Poisson's ratio of the specimen; give " + option("young") +
+                         " \"2.8 +- 0.1 GPa\" " + option("poisson") + " \"0.35 +- 0.02\"");
   return identify::peak_to_peak(std::move(strain), request.load);
 }
 
@@ -105,7 +106,7 @@ Column picked(const Column& from, const RowGroup& group) {
   if (group.rows.size() <= (through_origin ? 1U : 2U))
     throw refusal_at(table.file(), table.line(group.rows.back()),
                      "{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(),
-                     through_origin ? "two" : "three, or --through-origin");
+                     through_origin ? "two" : "three, or " + option("through-origin"));
   throw InputError(
       table.file(), table.line(group.rows.front()),
       of + "the load is the same in every row, or there is no response to it; give tests at several loads");
@@ -220,10 +221,10 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
     columns.signal = response(signal_column, signal_quantity);
     for (const auto& group : groups_of(table)) put_group(table, group, columns, request, found);
     if (!columns.stress.empty()) found.notes.push_back("the stress is " + way);
-    found.notes.push_back(fmt::format(
-        "responses are taken as {}, loads as {}; the factor is that of peak-to-peak values (maximum minus minimum) on "
-        "both sides, as the thesis's: give --temperature-convention amplitude for the amplitudes of a sine",
-        words_of(request.temperature), words_of(request.load)));
+    found.notes.push_back(
+        fmt::format("responses are taken as {}, loads as {}; the factor is that of peak-to-peak values (maximum minus "
+                    "minimum) on both sides, as the thesis's: give {} amplitude for the amplitudes of a sine",
+                    words_of(request.temperature), words_of(request.load), option("temperature-convention")));
   }
   return finished(std::move(found), table, request.stated);
 }

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/mapped.hpp"
+#include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/dem/history/history.hpp"
@@ -80,8 +81,8 @@ void require_lammps(const recipe::Recipe& recipe, const PackingIn<D>& start, con
   const double widest = start.grains.size() > 0 ? 2 * std::ranges::max(start.grains.radius) : 0;
   const double part = lammps::narrowest_part<D>(start.domain, options.ranks);
   problems.unless(!options.command.empty() || part >= widest_in_part * widest,
-                  "{} processes have parts of {:.3g} mm, narrower than {:g} of the largest grains; give fewer --ranks",
-                  options.ranks, 1e3 * part, widest_in_part);
+                  "{} processes have parts of {:.3g} mm, narrower than {:g} of the largest grains; give fewer {}",
+                  options.ranks, 1e3 * part, widest_in_part, option("ranks"));
   problems.raise();
 }
 
@@ -118,11 +119,12 @@ Part carry_by_lammps(const GrainStageIn<D>& stage, dem::EngineIn<D>& engine, dem
   const LammpsJob job(folder_of(options, stage.hash), lammps::deck_of<D>(engine, task), loading.name, *options.engine);
   if (!job.has_ended()) {
     if (options.engine->prepare || !job.can_start()) {
-      options.notice(fmt::format(
-          "LAMMPS's files are in {0}; run them by `cd {0} && sbatch job.sh` or `bash job.sh`, "
-          "then give the same command again{1}",
-          job.folder().string(),
-          options.engine->prepare ? " without --prepare" : fmt::format(": {} is not here", options.engine->line())));
+      options.notice(
+          fmt::format("LAMMPS's files are in {0}; run them by `cd {0} && sbatch job.sh` or `bash job.sh`, "
+                      "then give the same command again{1}",
+                      job.folder().string(),
+                      options.engine->prepare ? " without " + option("prepare")
+                                              : fmt::format(": {} is not here", options.engine->line())));
       return Part::stopped;
     }
     Progress now = progress;

@@ -1,6 +1,6 @@
 import { h, rich } from "../dom.js";
 import { text } from "../text.js";
-import { kindNames } from "./tooltip.js";
+import { nameOfKind } from "./tooltip.js";
 
 /** What is said of the grain that is shown close up, in a corner of the picture, with the way back. */
 export function closeUp(result, state) {
@@ -9,12 +9,11 @@ export function closeUp(result, state) {
     const g = state.get("grain") - 1;
     box.hidden = g < 0;
     if (g < 0) return;
-    const kind = kindNames[result.map.kindOfGrain(g)];
     box.replaceChildren(
       h(
         "p",
         {},
-        `${kind[0].toUpperCase()}${kind.slice(1)} ${g + 1}`,
+        `${nameOfKind(result.map.kindOfGrain(g))} ${g + 1}`,
         h(
           "button",
           { class: "back", title: "Show the whole sample", onclick: () => state.set({ grain: 0 }) },

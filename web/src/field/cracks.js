@@ -1,8 +1,6 @@
 import { bytes } from "../theme.js";
 import { displacedBy } from "./deformation.js";
 
-export const crackTypes = [null, "matrix", "interface", "particle"];
-
 /** How many bonds are broken at a step of the curve. */
 export function brokenAt(result, step) {
   if (!result.cracks) return 0;

@@ -1,10 +1,10 @@
 import { bar, colourBar } from "../colour_bar.js";
 import { label, richSvg, s } from "../dom.js";
+import { drawn, kindWords } from "../drawn.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
-import { byType, crackTypes } from "./cracks.js";
+import { byType } from "./cracks.js";
 import { mapOf, scaleOf } from "./paint.js";
-import { kindNames } from "./tooltip.js";
 
 export const legendHeight = 92;
 
@@ -62,7 +62,7 @@ function phaseKey({ map }, theme, room) {
     .filter((kind) => map.share(kind) > 0)
     .map((kind) => ({
       kind,
-      name: `${kindNames[kind]}${kind > 1 ? "s" : ""} ${text.number(100 * map.share(kind), 3)}\u202f%`,
+      name: `${kindWords(kind, true)} ${text.number(100 * map.share(kind), 3)}\u202f%`,
     }));
   return flow(entries, room, ({ kind }, x, y) => square(x, y, theme.kind[kind], theme));
 }
@@ -85,7 +85,7 @@ function cavityKey({ map }, theme, state, length) {
 function crackKey(result, theme, broken, width) {
   const counts = byType(result, broken),
     group = s("g", { transform: "translate(0 70)" });
-  const entries = [1, 2, 3].map((type) => ({ type, name: `${crackTypes[type]} ${text.count(counts[type])}` }));
+  const entries = [1, 2, 3].map((type) => ({ type, name: `${drawn().cracks[type]} ${text.count(counts[type])}` }));
   group.append(
     flow([...(width < narrow ? [] : [{ type: 0, name: "broken bonds:" }]), ...entries], 1e9, ({ type }, x, y) =>
       type ? s("circle", { cx: x + 9, cy: y, r: 4, fill: theme.crack[type] }) : s("g"),

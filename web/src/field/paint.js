@@ -55,7 +55,7 @@ function paintField(out, result, state, theme) {
     Math.abs(v) < least ? aside : table[Math.min(shades - 1, Math.max(0, Math.floor(scale.of(v) * shades)))];
   const { kind, label } = map;
   if (state.get("by") === "grain" && result.grainsHave(scale.name)) {
-    const table_ = Uint32Array.from({ length: map.grainClass.length + 1 }, (_, g) =>
+    const table_ = Uint32Array.from({ length: map.grainKind.length + 1 }, (_, g) =>
       g === 0 ? aside : shade(result.ofGrain(scale.name, g - 1)),
     );
     for (let k = 0; k < out.length; ++k) out[k] = kind[k] === 0 ? empty : table_[label[k]];

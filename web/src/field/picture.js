@@ -1,7 +1,7 @@
 import { s } from "../dom.js";
+import { drawn } from "../drawn.js";
 import { fileName, saveSvg } from "../save.js";
 import { bytes } from "../theme.js";
-import { crackTypes } from "./cracks.js";
 import { legend, legendHeight } from "./legend.js";
 import { paint } from "./paint.js";
 import { isField } from "./scale_controls.js";
@@ -133,7 +133,7 @@ function dots({ result, camera, theme, broken, look }) {
         cy: cy.toFixed(2),
         r,
         fill: theme.crack[cracks.type[k]] ?? theme.crack[1],
-        "data-type": crackTypes[cracks.type[k]],
+        "data-type": drawn().cracks[cracks.type[k]],
       }),
     );
   }

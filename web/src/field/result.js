@@ -3,19 +3,17 @@ import { DescribedResult } from "../described_result.js";
 import { evaluate, evaluateAll, namesIn } from "../formula.js";
 import { decodeField } from "./decode.js";
 
-export const classes = { empty: 0, matrix: 1, particle: 2, small: 3, large: 4 };
+/** The kind of nodes that nothing fills; what the others are called the program says (drawn.js). */
+export const empty = 0;
 
-/** The sample on a grid: phase, grain label (0: none) and class of every node. */
+/** The sample on a grid: kind and grain label (0: none) of every node, and the kind of every grain. */
 export class PhaseMap {
   constructor(about, block) {
     Object.assign(this, { about, width: about.width, height: about.height, stride: about.stride });
     this.spacing = about.dx * about.stride;
     this.label = unpack(block, about.label);
-    const phase = unpack(block, about.phase);
-    this.grainClass = unpack(block, about.grain_class);
-    this.kind = new Uint8Array(phase.length);
-    for (let k = 0; k < phase.length; ++k)
-      this.kind[k] = phase[k] < 2 ? phase[k] : classes.particle + (this.grainClass[this.label[k] - 1] ?? 0);
+    this.kind = unpack(block, about.kind);
+    this.grainKind = unpack(block, about.grain_kind);
     this.cavities = unpacked(block, about.cavities ?? {});
   }
 
@@ -30,7 +28,7 @@ export class PhaseMap {
     return this.about.fractions[kind];
   }
   kindOfGrain(g) {
-    return classes.particle + this.grainClass[g];
+    return this.grainKind[g];
   }
 
   /** Index of the node at a point of the plane, or null. */

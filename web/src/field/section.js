@@ -15,7 +15,7 @@ function choices(result) {
     by: "node",
     chains: false,
     threshold: 1,
-    outlines: result.map.grainClass.length < 3000,
+    outlines: result.map.grainKind.length < 3000,
     crosses: false,
     cavities: "any",
     norm: "sample",

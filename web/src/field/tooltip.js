@@ -1,7 +1,6 @@
+import { kindWords } from "../drawn.js";
 import { text } from "../text.js";
-import { classes } from "./result.js";
-
-export const kindNames = ["void", "matrix", "grain", "small grain", "large grain"];
+import { empty } from "./result.js";
 
 /** The numbers of the node under the pointer, and of the grain that it belongs to. */
 export function nodeNumbers(result, node, theme, which) {
@@ -10,15 +9,19 @@ export function nodeNumbers(result, node, theme, which) {
     [x, y] = map.placeOf(node);
   const g = map.label[node] - 1;
   const rows = [["x, y", `${text.number(1e3 * x, 4)}, ${text.number(1e3 * y, 4)}\u202fmm`]];
-  if (kind !== classes.empty && result.loaded) rows.push(...stressRows(result, node));
+  if (kind !== empty && result.loaded) rows.push(...stressRows(result, node));
   const cavities = map.cavities?.[which];
   if (cavities && cavities.label[node] > 0)
     rows.push(["size", `${text.count(cavities.nodes[cavities.label[node] - 1])} nodes`]);
   if (g >= 0) rows.push(...grainRows(result, g));
-  return { title: g >= 0 ? `${name(kind)} ${g + 1}` : name(kind), colour: theme.kind[kind], rows };
+  return { title: g >= 0 ? `${nameOfKind(kind)} ${g + 1}` : nameOfKind(kind), colour: theme.kind[kind], rows };
 }
 
-const name = (kind) => kindNames[kind][0].toUpperCase() + kindNames[kind].slice(1);
+/** As a title. */
+export function nameOfKind(kind) {
+  const words = kindWords(kind);
+  return words[0].toUpperCase() + words.slice(1);
+}
 
 function stressRows(result, node) {
   const at = (id) => result.atNode(id, node),

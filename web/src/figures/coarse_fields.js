@@ -1,20 +1,20 @@
 import { label, richSvg, s } from "../dom.js";
 import { evaluateAll, namesIn } from "../formula.js";
 import { prefixOf, text, typeset } from "../text.js";
-import { bytes } from "../theme.js";
+import { bytes, mapOfScale } from "../theme.js";
 
-/** How the coarse-grained fields are drawn: map, `signed` = zero in the middle, `arrows` = with velocities. Labels,
-    symbols, units and formulas are the program's (`layers` of the document). */
+/** How the coarse-grained fields are drawn, beside what the program says of them (`layers` of the document: labels,
+    symbols, units, formulas, scales of colours): `arrows` = with velocities, `closed` = from the least value. */
 export const layers = {
-  solid_fraction: { map: "viridis", closed: true },
-  density: { map: "viridis", closed: true },
-  speed: { map: "viridis", arrows: true },
-  vx: { map: "diverging", signed: true },
-  vy: { map: "diverging", signed: true },
-  pressure: { map: "magma" },
-  deviator: { map: "magma" },
-  shear: { map: "diverging", signed: true },
-  kinetic: { map: "magma" },
+  solid_fraction: { closed: true },
+  density: { closed: true },
+  speed: { arrows: true },
+  vx: {},
+  vy: {},
+  pressure: {},
+  deviator: {},
+  shear: {},
+  kinetic: {},
 };
 
 /** Those that fields have: [[name, { label, symbol, unit }]]. */
@@ -24,8 +24,8 @@ const known = (fields, { about }) =>
     .filter(([name, { formula }]) => namesIn(formula || name).every((part) => fields?.[part]));
 
 function aboutLayer(name, { layers: all }) {
-  const [label, symbol, unit, formula] = all[name];
-  return { label, symbol, unit, formula };
+  const [label, symbol, unit, formula, scale] = all[name];
+  return { label, symbol, unit, formula, map: mapOfScale[scale], signed: scale === "diverging" };
 }
 
 function valuesOf(fields, name, about) {
@@ -144,8 +144,8 @@ export const coarseFields = {
     const fields = sample.fields(state.get("snapshot")),
       wanted = state.get("field"),
       name = known(fields, sample).some(([one]) => one === wanted) ? wanted : "solid_fraction";
-    const layer = layers[name],
-      { label: words, unit } = aboutLayer(name, sample.about),
+    const layer = { ...layers[name], ...aboutLayer(name, sample.about) },
+      { label: words, unit } = layer,
       values = valuesOf(fields, name, sample.about),
       range = rangeOf(values, layer),
       [left, right, bottom, top] = fields.bounds;

@@ -1,3 +1,4 @@
+import { drawn } from "../drawn.js";
 import { materialLine } from "../theme.js";
 
 const at = (list, k) => list[k % list.length];
@@ -13,7 +14,7 @@ const lines = (theme) => [
   theme.strong,
 ];
 
-const kinds = { matrix: 1, particle: 2, small: 3, large: 4 };
+const kindOf = (set) => drawn().kinds.findIndex(({ id }) => id === set);
 
 /** The colour of a role, as descriptions of figures name them: "strong", "material 0", "set matrix". */
 export function colourOf(theme, role) {
@@ -23,7 +24,7 @@ export function colourOf(theme, role) {
   if (name === "line") return at(lines(theme), Number(which));
   if (name === "scale") return theme.size(Number(which));
   if (name === "source") return theme.accent;
-  if (name === "set") return which === "all" ? theme.strong : theme.kindLine[kinds[which]];
+  if (name === "set") return which === "all" ? theme.strong : theme.kindLine[kindOf(which)];
   return ["crack", "broken"].includes(name) ? theme[name][Number(which)] : theme[name];
 }
 

@@ -3,7 +3,6 @@ import { label, richSvg, s } from "../dom.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialLine } from "../theme.js";
-import { palettes } from "./maps.js";
 import { barWidth, magnification, stressTop } from "./overlay.js";
 import { scaleOf } from "./paint.js";
 
@@ -26,12 +25,12 @@ export function legend(film, camera, theme, state, width) {
 
 function mapKey(film, state, theme, length) {
   const name = state.get("map"),
-    { title, cyclic, marks } = film.about.maps[name];
+    { title, colours, cyclic, marks } = film.about.maps[name];
   const key = colourBar({
     title: length < narrow ? title.replace(/ \(.*\)/, "") : title, // beside it there is the bar of known length
     unit: film.unitOf(name),
     scale: scaleOf(film, state),
-    palette: theme[palettes[name]],
+    palette: theme.scales[colours],
     theme,
     length,
     at: cyclic ? [-180, -90, 0, 90, 180] : null,

@@ -1,5 +1,5 @@
 import { s } from "../dom.js";
-import { widthOfForce } from "../drawn_sizes.js";
+import { widthOfForce } from "../drawn.js";
 import { materialLine } from "../theme.js";
 
 const bright = 0.4; // pixels of the film, around bars

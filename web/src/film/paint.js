@@ -1,6 +1,6 @@
 import { clips, makeScale } from "../field/scale.js";
 import { bytes, packed } from "../theme.js";
-import { faintness, palettes } from "./maps.js";
+import { faintness } from "./maps.js";
 
 const shades = 512;
 const circle = {
@@ -40,8 +40,8 @@ export function painted(film, state, theme) {
   const name = state.get("map"),
     scale = scaleOf(film, state),
     values = film.values(name),
-    palette = theme[palettes[name]],
-    { cyclic, marks } = film.about.maps[name];
+    { colours, cyclic, marks } = film.about.maps[name],
+    palette = theme.scales[colours];
   const table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades))),
     none = packed(theme.field.aside);
   const faint = cyclic && faintness(film),

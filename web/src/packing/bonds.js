@@ -1,18 +1,18 @@
-import { crack } from "../drawn_sizes.js";
+import { drawn, ways } from "../drawn.js";
 import { line, pairsSeen, strokes } from "./strokes.js";
-
-/** Ways of breaking, as `broken` of a state counts them from 1; only bonds in space twist. */
-export const ways = ["tension", "bending", "shear", "twisting"];
 
 /** What cracks mean: [{ name, colour }] of the ways in which bonds of a state have broken. */
 export const crackKey = ({ bonds }, theme) =>
-  ways.map((name, k) => ({ name, colour: theme.broken[k] })).filter((_, k) => bonds?.broken.includes(k + 1));
+  ways()
+    .map((name, k) => ({ name, colour: theme.broken[k] }))
+    .filter((_, k) => bonds?.broken.includes(k + 1));
 
 /** Bonds that hold as thin lines from centre to centre, and a crack across each that broke, where its grains are still
     near; none across a periodic side. */
 export function bondShapes(sample, snapshot, camera, theme) {
-  const whole = [],
-    cracks = ways.map(() => []);
+  const { crack } = drawn(),
+    whole = [],
+    cracks = ways().map(() => []);
   for (const { pair, ax, ay, dx, dy, length, ri, rj } of pairsSeen(sample, snapshot, snapshot.bonds)) {
     const broken = snapshot.bonds.broken[pair];
     if (broken === 0) {
@@ -28,6 +28,6 @@ export function bondShapes(sample, snapshot, camera, theme) {
   }
   return strokes([
     [whole, theme.soft, 0.6, "bonds"],
-    ...ways.map((name, k) => [cracks[k], theme.broken[k], 2, `cracks ${name}`]),
+    ...ways().map((name, k) => [cracks[k], theme.broken[k], 2, `cracks ${name}`]),
   ]);
 }

@@ -1,4 +1,4 @@
-import { widthOfForce } from "../drawn_sizes.js";
+import { kindOfForce, widthOfForce } from "../drawn.js";
 import { bytes } from "../theme.js";
 
 /** Width of the chain of a contact force, m. */
@@ -13,10 +13,8 @@ export function isShown(state, sample, snapshot, c) {
   return fn[c] > snapshot.meanForce === (strength === "strong");
 }
 
-export function chainColour(theme, snapshot, fn) {
-  if (fn < snapshot.tensile) return theme.tension;
-  return fn > snapshot.meanForce ? theme.strong : theme.weak;
-}
+export const chainColour = (theme, { meanForce: mean, tensile: tension }, fn) =>
+  theme[kindOfForce(fn, { mean, tension })];
 
 /** What a grain touches of the boundaries: elements are counted through all of them, two a point, the point and the
     segment to the next. */

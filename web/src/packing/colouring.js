@@ -1,5 +1,5 @@
 import { prefixOf } from "../text.js";
-import { bytes, materialColour } from "../theme.js";
+import { bytes, mapOfScale, materialColour } from "../theme.js";
 import { aboutQuantity, isKnown, topOf, valuesOf } from "../quantities.js";
 import { shareOf } from "./scale.js";
 
@@ -13,29 +13,28 @@ const bothWays =
   (name, least = 0) =>
   (sample) => [-Math.max(topOf(name, sample), least), Math.max(topOf(name, sample), least)];
 
-/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change; it
-    is called as the program calls the quantity. By names: `colour(sample, theme)` = function from a grain to a
-    colour, and `key(sample, theme)` = [[name, colour]]. A new one is one more row. */
+/** How grains may be coloured. By a quantity: `range(sample)` = [low, high]; its name and its scale of colours are what
+    the program says of it, and the reader may change range and colours. By names: `colour(sample, theme)` = function
+    from a grain to a colour, and `key(sample, theme)` = [[name, colour]]. A new one is one more row. */
 export const colourings = {
   material: {
     label: "Material",
     colour: (sample, theme) => (g) => materialColour(theme, sample.material[g]),
   },
-  size: { range: (sample) => extent(sample.radius).map((r) => 2 * r), map: "viridis", closed: true },
+  size: { range: (sample) => extent(sample.radius).map((r) => 2 * r), closed: true },
   stress: {
     range: (sample) => [0, Math.max(1, Math.ceil(2 * topOf("stress", sample)) / 2)],
-    map: "magma",
   },
-  pressure: { range: fromZero("pressure"), map: "magma" },
-  deviator: { range: fromZero("deviator"), map: "magma" },
-  coordination: { range: () => [0, 6], map: "viridis" },
-  displacement: { range: fromZero("displacement", 1e-9), map: "viridis" },
-  rotation: { range: bothWays("rotation", 1e-6), map: "diverging" },
-  speed: { range: fromZero("speed", 1e-12), map: "viridis" },
-  vx: { range: bothWays("vx", 1e-12), map: "diverging" },
-  vy: { range: bothWays("vy", 1e-12), map: "diverging" },
-  spin: { range: bothWays("spin", 1e-9), map: "diverging" },
-  friction: { range: () => [0, 0.5], map: "viridis" },
+  pressure: { range: fromZero("pressure") },
+  deviator: { range: fromZero("deviator") },
+  coordination: { range: () => [0, 6] },
+  displacement: { range: fromZero("displacement", 1e-9) },
+  rotation: { range: bothWays("rotation", 1e-6) },
+  speed: { range: fromZero("speed", 1e-12) },
+  vx: { range: bothWays("vx", 1e-12) },
+  vy: { range: bothWays("vy", 1e-12) },
+  spin: { range: bothWays("spin", 1e-9) },
+  friction: { range: () => [0, 0.5] },
   zone: {
     label: "Zone",
     when: (sample) => sample.hasZones,
@@ -59,11 +58,11 @@ const decadesOfLog = 3; // below the upper end, where the lower one is no positi
 /** What the colours of a quantity mean: { low, high (SI), log, map, title, unit, factor }; null where they are names.
     What the reader chose (`scales` of the state, by mode) goes before the usual. */
 export function scaleOf(sample, state, mode = state.get("colour")) {
-  const { range, map, closed } = colourings[mode];
+  const { range, closed } = colourings[mode];
   if (!range) return null;
   const [least, most] = range(sample),
     chosen = state.get("scales")?.[mode] ?? {},
-    { label, unit: si } = aboutQuantity(mode, sample);
+    { label, unit: si, scale } = aboutQuantity(mode, sample);
   const { factor, unit } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), si);
   const high = chosen.high ?? most,
     log = Boolean(chosen.log) && high > 0;
@@ -73,7 +72,7 @@ export function scaleOf(sample, state, mode = state.get("colour")) {
     low,
     high,
     log,
-    map: chosen.map ?? map,
+    map: chosen.map ?? mapOfScale[scale],
     open: !closed || chosen.high !== undefined,
     title: label,
     factor,

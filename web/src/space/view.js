@@ -1,6 +1,7 @@
 import { forms } from "../address.js";
 import { CanvasView } from "../canvas_view.js";
 import { h, s } from "../dom.js";
+import { drawn } from "../drawn.js";
 import { saveSvg } from "../save.js";
 import { along, axes, frameOf } from "./frame.js";
 import { degreesAPixel, turning } from "./turning.js";
@@ -9,8 +10,8 @@ const howToTurn =
   "drag to turn it, Shift and drag to move it, Ctrl+wheel or pinch to zoom, double-click to show all; keys: arrows, " +
   "+, \u2212 and 0";
 /** From where the sample is seen in the beginning. */
-export const firstLook = { azimuth: 35, elevation: 25, zoom: 1 };
-const turned = Object.keys(firstLook);
+export const firstLook = () => ({ ...drawn().look, zoom: 1 });
+const turned = ["azimuth", "elevation", "zoom"];
 const pause = 200; // ms after the last turn until the address and finer lines of sight follow
 const saveMargin = 10; // px, for what stands out of the legend
 const nearest = 40,
@@ -75,7 +76,7 @@ export class SpaceView extends CanvasView {
       click: (place) => this.click(place),
       reset: () => {
         this.camera.fit(this.extent, this.margin);
-        this.#turnTo(firstLook);
+        this.#turnTo(firstLook());
       },
       scrolled: () => this.sayHow(),
     });

@@ -1,4 +1,4 @@
-import { ways } from "../packing/bonds.js";
+import { ways } from "../drawn.js";
 import { between } from "./chains.js";
 
 const thin = 0.16, // radius of a bond that holds over the mean radius of the spheres
@@ -21,7 +21,7 @@ export function bondsOf({ state: { bonds, balls, container, middle }, meanRadius
       for (const line of between(at(bonds.i[b]), at(bonds.j[b]), container)) add(line, thin, "bond");
     else {
       const place = [bonds.x[b], bonds.y[b], bonds.z[b]].map((along, axis) => along - middle[axis]);
-      add([...place, ...place], crack, ways[broken - 1]);
+      add([...place, ...place], crack, ways()[broken - 1]);
     }
   });
   return { ends: new Float32Array(ends), radius: new Float32Array(radius), kind };

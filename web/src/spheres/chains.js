@@ -1,16 +1,11 @@
-import { ways } from "../packing/bonds.js";
+import { kindOfForce, ways, widthOfForce } from "../drawn.js";
 import { bytes } from "../theme.js";
 
-const perMean = 0.09, // radius of a line over the mean radius, at the mean force
-  thinnest = 0.015,
-  thickest = 0.4;
+const thinnest = 0.015; // radius of a line over the mean radius, that it may be seen
 
-/** By the library's scale of forces: strong is above the mean, tension beyond its traces. */
-export const kindOf = (force, { mean, tension }) => (force < tension ? "tension" : force > mean ? "strong" : "weak");
-
-/** How thick a force is drawn, m. */
+/** How thick a force is drawn, the radius of its line, m. */
 export const thicknessOf = (result, force) =>
-  result.meanRadius * Math.min(thickest, Math.max(thinnest, perMean * Math.abs(force / result.meanForce)));
+  Math.max(thinnest * result.meanRadius, widthOfForce(force, result.meanForce, result.meanRadius) / 2);
 
 /** The lines along which forces act: { ends: [ax, ay, az, bx, by, bz, ..] from the middle, radius, kind }. What acts
     across a side of a periodic cell is half a line at both spheres; a wall is met straight ahead. */
@@ -28,7 +23,7 @@ export function linesOf(result) {
     for (const line of lines) {
       ends.push(...line);
       radius.push(thicknessOf(result, force));
-      kind.push(kindOf(force, scale));
+      kind.push(kindOfForce(force, scale));
     }
   });
   return { ends: new Float32Array(ends), radius: new Float32Array(radius), kind };
@@ -61,7 +56,7 @@ function toWall(from, side, { size }, shift) {
 export function coloursOfLines({ kind }, theme) {
   const { strong, weak, tension, wall } = theme,
     named = { strong, weak, tension, bond: weak, boundary: wall };
-  ways.forEach((way, k) => (named[way] = theme.broken[k]));
+  ways().forEach((way, k) => (named[way] = theme.broken[k]));
   const table = Object.fromEntries(Object.entries(named).map(([name, colour]) => [name, [...bytes(colour), 255]])),
     colours = new Uint8Array(4 * kind.length);
   kind.forEach((name, k) => colours.set(table[name], 4 * k));

@@ -1,12 +1,13 @@
 import { colourBar } from "../colour_bar.js";
 import { label, richSvg, s } from "../dom.js";
+import { kindOfForce } from "../drawn.js";
 import { flow, square } from "../field/legend.js";
 import { mapOf } from "../field/paint.js";
 import { crackKey } from "../packing/bonds.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialColour } from "../theme.js";
-import { kindOf, thicknessOf } from "./chains.js";
+import { thicknessOf } from "./chains.js";
 import { scaleOf } from "./paint.js";
 
 export const legendHeight = 92;
@@ -66,7 +67,7 @@ function forceKey(result, theme, width, camera, y) {
     forces = [0.5 * mean, 3 * mean, ...(acting.fn.some((force) => force < tension) ? [-mean] : [])];
   let x = 3;
   for (const force of forces) {
-    const name = kindOf(force, scale),
+    const name = kindOfForce(force, scale),
       thick = Math.min(9, Math.max(1, 2 * thicknessOf(result, force) * camera.scale));
     group.append(
       s("line", { x1: x, x2: x + 20, stroke: theme[name], "stroke-width": thick, "stroke-linecap": "round" }),

@@ -20,7 +20,7 @@ export const choices = (result) => ({
   snapshot: Math.max(0, result.snapshotCount - 1),
   playing: false,
   half: "above",
-  turned: `${firstLook.azimuth} ${firstLook.elevation}`,
+  turned: `${firstLook().azimuth} ${firstLook().elevation}`,
   show: result.offered[0] ?? "material",
   around: "mean",
   law: "linear",
@@ -33,7 +33,7 @@ export const choices = (result) => ({
   pointed: null, // the sphere whose row or point the pointer is on
   across: firstKnown(result, result.isOfOneSize ? ["coordination", "x"] : ["size"]),
   up: firstKnown(result, ["pressure", "y"]),
-  ...firstLook,
+  ...firstLook(),
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, cuts[1]])),
 });
 

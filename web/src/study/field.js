@@ -1,10 +1,7 @@
 import { s } from "../dom.js";
-import { crackTypes } from "../field/cracks.js";
+import { drawn, kindWords } from "../drawn.js";
 import { bytes } from "../theme.js";
 import { stressKey } from "./sample.js";
-
-const mostStress = 2; // over the mean: nodes scatter less than grains
-const phases = ["void", "matrix", "grains", "small grains", "large grains"];
 
 /** One sample on its nodes: its phases, its broken bonds, or the stress in and about one grain over the mean. */
 export function fieldFigure(figure) {
@@ -13,7 +10,7 @@ export function fieldFigure(figure) {
   return {
     id: figure.id,
     title: figure.title,
-    key: ({ theme }) => (sample.stress ? stressKey(theme, mostStress) : phaseKey(theme, sample)),
+    key: ({ theme }) => (sample.stress ? stressKey(theme, drawn().most_stress.nodes) : phaseKey(theme, sample)),
     draw({ theme, width }) {
       const side = Math.min(width, 420),
         scale = side / columns,
@@ -43,9 +40,11 @@ export function fieldFigure(figure) {
 
 function phaseKey(theme, sample) {
   const seen = new Set(sample.phases.filter((_, k) => k % 2 === 0));
-  const kinds = phases.map((name, kind) => ({ name, colour: theme.kind[kind] })).filter((_, kind) => seen.has(kind));
-  const broken = crackTypes
-    .map((name, type) => ({ name: `broken: ${name}`, colour: theme.crack[type] }))
+  const kinds = drawn()
+    .kinds.map((_, kind) => ({ name: kindWords(kind, true), colour: theme.kind[kind] }))
+    .filter((_, kind) => seen.has(kind));
+  const broken = drawn()
+    .cracks.map((name, type) => ({ name: `broken: ${name}`, colour: theme.crack[type] }))
     .filter((_, type) => sample.cracks?.type.includes(type));
   return [...kinds, ...broken];
 }
@@ -56,10 +55,11 @@ function* phaseColours(theme, { phases: runs }) {
 }
 
 function* stressColours(theme, { stress }) {
-  const levels = Array.from({ length: 64 }, (_, k) => bytes(theme.stress(k / 63))),
+  const most = drawn().most_stress.nodes,
+    levels = Array.from({ length: 64 }, (_, k) => bytes(theme.stress(k / 63))),
     empty = bytes(theme.field.empty);
   for (const value of stress)
-    yield value === null ? empty : levels[Math.round(63 * Math.min(1, Math.max(0, value / mostStress)))];
+    yield value === null ? empty : levels[Math.round(63 * Math.min(1, Math.max(0, value / most)))];
 }
 
 /** A picture of as many pixels as nodes, as a URL that holds it. */
@@ -88,7 +88,7 @@ const outline = (edges, scale) =>
 
 /** A dot at every broken bond, one path for each type. */
 function dots({ x, y, type }, scale, theme) {
-  const paths = crackTypes.map(() => []);
+  const paths = drawn().cracks.map(() => []);
   x.forEach((at, k) => paths[type[k]].push(`M${(at * scale).toFixed(1)},${(y[k] * scale).toFixed(1)}h0`));
   const style = { fill: "none", "stroke-linecap": "round", "stroke-width": Math.max(1.4, 0.75 * scale).toFixed(2) };
   return paths

@@ -1,4 +1,5 @@
 import { h, readNotation, rich } from "../dom.js";
+import { readDrawn } from "../drawn.js";
 import { figureCard } from "../figures/card.js";
 import { State } from "../state.js";
 import { followTheme, preferredTheme } from "../theme.js";
@@ -25,6 +26,7 @@ function main() {
   try {
     const about = JSON.parse(document.getElementById("figures").textContent);
     readNotation(about.notation);
+    readDrawn(about.drawn);
     const state = new State({ theme: preferredTheme() });
     followTheme(state);
     if (about.live) {

@@ -1,9 +1,10 @@
 import { s } from "../dom.js";
+import { drawn, kindOfForce, widthOfForce } from "../drawn.js";
 import { boundaryShapes } from "../packing/overlay.js";
 import { materialColour } from "../theme.js";
 
 /** Colours of stresses over the mean, up to so many of them. */
-export const stressKey = (theme, most = 3) =>
+export const stressKey = (theme, most) =>
   Array.from({ length: most + 1 }, (_, v) => ({
     name: v === most ? `${v} and more` : `${v}`,
     colour: theme.stress(v / most),
@@ -17,7 +18,7 @@ export function sampleFigure(figure) {
   return {
     id: figure.id,
     title: figure.title,
-    key: ({ theme }) => (sample.stress ? stressKey(theme) : materialKey(theme, sample)),
+    key: ({ theme }) => (sample.stress ? stressKey(theme, drawn().most_stress.grains) : materialKey(theme, sample)),
     draw({ theme, width }) {
       const scale = width / across,
         height = Math.ceil(up * scale);
@@ -25,9 +26,10 @@ export function sampleFigure(figure) {
         place = (k) => toScreen(sample.x[k], sample.y[k]),
         outline = (k) => (sample.rims ? rim(sample.rims[k], toScreen) : disk(place(k), sample.r[k] * scale));
       const svg = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height });
-      const fill = sample.stress
-        ? (k) => theme.stress(Math.round(24 * Math.min(1, Math.max(0, sample.stress[k] / 3))) / 24)
-        : (k) => materialColour(theme, sample.material[k]);
+      const most = drawn().most_stress.grains,
+        fill = sample.stress
+          ? (k) => theme.stress(Math.round(24 * Math.min(1, Math.max(0, sample.stress[k] / most))) / 24)
+          : (k) => materialColour(theme, sample.material[k]);
       const disks = grouped(sample.x.keys(), fill, outline);
       for (const [colour, d] of disks) svg.append(s("path", { d, fill: colour, "fill-opacity": sample.f ? 0.28 : 1 }));
       const glued = [...sample.x.keys()].filter((k) => sample.glued[k]);
@@ -53,7 +55,9 @@ function materialKey(theme, { materials = [], material, glued, f, tension }) {
     .filter((_, m) => material.includes(m));
   const last = [
     glued.includes(1) && { name: "glued", colour: theme.accent },
-    f?.some((v) => v < tension) && { name: "tension", colour: theme.tension },
+    ...kindsOfForces
+      .filter((kind) => f?.some((force) => kindOfForce(force, { mean: 1, tension }) === kind))
+      .map((name) => ({ name, colour: theme[name] })),
   ];
   return [...(names.length > 1 ? names : []), ...last.filter(Boolean)];
 }
@@ -78,10 +82,14 @@ function disk([x, y], r) {
   return `M${(x - r).toFixed(2)},${y.toFixed(2)}${a} ${d},0${a} -${d},0`;
 }
 
-/** Lines of like width are one path. The mean force is a quarter as wide as a mean grain's radius. */
+const steps = 4, // of the widths of lines in that of the mean force
+  kindsOfForces = ["weak", "strong", "tension"]; // in the order of drawing
+
+/** Forces over the mean as the page of a run draws them; lines of like colour and width are one path. */
 function chains({ i, j, f, r, tension }, place, scale, theme) {
-  const unit = (0.25 * scale * r.reduce((a, b) => a + b, 0)) / r.length;
-  const width = (c) => Math.max(0.5, Math.round(4 * Math.abs(f[c]))) / 4;
+  const meanRadius = (scale * r.reduce((a, b) => a + b, 0)) / r.length,
+    width = (c) => widthOfForce(Math.max(0.5, Math.round(steps * Math.abs(f[c]))) / steps, 1, meanRadius).toFixed(3),
+    kind = (c) => kindOfForce(f[c], { mean: 1, tension });
   const line = (c) =>
     `M${[i[c], j[c]]
       .map((k) =>
@@ -90,12 +98,10 @@ function chains({ i, j, f, r, tension }, place, scale, theme) {
           .join(","),
       )
       .join("L")}`;
-  return [
-    [(c) => f[c] >= tension, theme.strong],
-    [(c) => f[c] < tension, theme.tension],
-  ].flatMap(([wanted, stroke]) =>
-    [...grouped([...f.keys()].filter(wanted), width, line)].map(([w, d]) =>
-      s("path", { d, stroke, "stroke-width": (w * unit).toFixed(3), "stroke-linecap": "round", fill: "none" }),
-    ),
-  );
+  return kindsOfForces.flatMap((name) => {
+    const alike = [...f.keys()].filter((c) => kind(c) === name);
+    return [...grouped(alike, width, line)].map(([wide, d]) =>
+      s("path", { d, stroke: theme[name], "stroke-width": wide, "stroke-linecap": "round", fill: "none" }),
+    );
+  });
 }

@@ -1,8 +1,8 @@
 import { colourBar } from "../colour_bar.js";
 import { richSvg, s } from "../dom.js";
+import { kindWords } from "../drawn.js";
 import { flow, square } from "../field/legend.js";
 import { mapOf } from "../field/paint.js";
-import { kindNames } from "../field/tooltip.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { scaleOf } from "./paint.js";
@@ -37,7 +37,7 @@ function phaseKey(result, theme, room) {
     .filter((phase) => result.share(phase) > 0)
     .map((phase) => ({
       phase,
-      name: `${kindNames[phase]}${phase === 2 ? "s" : ""} ${text.number(100 * result.share(phase), 3)}\u202f%`,
+      name: `${kindWords(phase, true)} ${text.number(100 * result.share(phase), 3)}\u202f%`,
     }));
   return flow(entries, room, ({ phase }, x, y) => square(x, y, theme.kind[phase], theme));
 }

@@ -20,7 +20,7 @@ function choices(result) {
     lines: true,
     surface: false,
     level: 0,
-    ...firstLook,
+    ...firstLook(),
     ...Object.fromEntries(axes.map((axis, a) => [axis, Math.floor(result.size[a] / 2)])),
     ...Object.fromEntries(axes.map((axis, a) => [`cut${axis}`, result.size[a]])),
   };

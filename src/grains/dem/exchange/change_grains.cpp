@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "grains/dem/advance.hpp"
 #include "grains/dem/conditions.hpp"
-#include "grains/dem/forces.hpp"
 #include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/neighbours.hpp"

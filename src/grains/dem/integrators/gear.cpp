@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "grains/dem/forces.hpp"
+#include "grains/dem/advance.hpp"
 #include "grains/dem/movers.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"

@@ -8,6 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "core/option.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -99,8 +100,8 @@ std::vector<std::string> step_doubts(const std::vector<double>& time, const Step
   for (const double other : jumps)
     doubts.push_back(
         fmt::format("pixels jump again at {:.4g} s, as where a camera closes its shutter; each is fitted with its own "
-                    "jump there; if that is a step of the load, give --window so that one step is used",
-                    other));
+                    "jump there; if that is a step of the load, give {} so that one step is used",
+                    other, option("window")));
   return doubts;
 }
 

@@ -1,0 +1,12 @@
+#pragma once
+#include "statistics/numbers.hpp"
+
+namespace arenite::report {
+
+/// What pictures on pages and in print have in common beside the numbers that they show: how kinds are called
+/// ("kinds" of nodes, "cracks", "breaks" of bonds), sizes that are no measure of anything, chosen so that pictures are
+/// read easily ("chain", "crack"), ends of scales ("most_stress"), from where space is seen at first ("look"), and the
+/// colours of what comes back to where it began ("cyclic").
+Numbers drawn();
+
+}  // namespace arenite::report
