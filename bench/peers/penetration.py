@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""A steel ball thrown into a bed of spheres, by Arenite and, into the same bed, by YADE.
+
+usage: bench/peers/penetration.py [--program build/arenite] [--out out/penetration] [--beds 1] [--small] [--no-yade]
+                                  [--picture FILE]
+The recipe is validation/benchmarks/penetration.toml; --small is a narrower box of 3000 spheres, --beds so many of
+different seeds. What a folder has already is not computed again. YADE runs twice, with the restitution of Arenite's
+boundaries, which is that of the spheres, and with that of steel which the comparison asks for. Needs Debian's yade.
+"""
+import argparse
+import csv
+import json
+import math
+import pathlib
+import subprocess
+
+import numpy as np
+
+import arenite
+
+HERE = pathlib.Path(__file__).resolve().parent
+RECIPE = HERE.parents[1] / "validation" / "benchmarks" / "penetration.toml"
+SMALL = {
+    "container.width": '"40 mm"',
+    "container.depth": '"40 mm"',
+    "packing.area.top": '"28 mm"',
+    "populations.0.count": "6000",
+    "boundaries.0.ball.x": '"20 mm"',
+    "boundaries.0.ball.z": '"20 mm"',
+}
+FROM, SPEED, GRAVITY, RADIUS = 0.15, 5.0, 9.81, 0.01  # where the ball begins, above the floor, and how
+RUNS = {"YADE": 0.5, "YADE, restitution of steel": 0.4}
+GRAIN_RESTITUTION = 0.5
+
+
+def thrown(arguments, folder, seed):
+    """The stages of the bed and of the ball."""
+    changes = {"seed": str(seed), **(SMALL if arguments.small else {})}
+    sets = [part for key, value in changes.items() for part in ("--set", f"{key}={value}")]
+    subprocess.run([arguments.program, "run", RECIPE, "--quiet", "--out", folder, *sets], check=True)
+    return arenite.open(folder).spheres[1:]
+
+
+def case_of(bed, height, time_step, duration):
+    """All that YADE is told."""
+    domain, glass = bed.domain, bed.materials[0]
+    sides = (("left", "right"), ("bottom", "top"), ("back", "front"))
+    box = [[domain[low]["position"], domain[high]["position"]] for low, high in sides]
+    place = [0.5 * sum(box[0]), height, 0.5 * sum(box[2])]
+    return {
+        "bed": np.column_stack((bed.position, bed.radius)).tolist(),
+        "box": box,
+        "glass": {"E": glass.youngs_modulus, "density": glass.density},
+        "restitution": GRAIN_RESTITUTION,
+        "ball": {"place": place, "radius": RADIUS, "speed": math.sqrt(SPEED**2 + 2 * GRAVITY * (FROM - height))},
+        "time_step": time_step,
+        "every": 1e-4,
+        "duration": duration,
+    }
+
+
+def by_yade(folder, name, case):
+    """Times and heights of the ball in YADE."""
+    table = folder / (name.replace(", ", "-").replace(" ", "-") + ".csv")
+    if not table.exists():
+        told, made = table.with_suffix(".json"), table.with_suffix(".part")
+        told.write_text(json.dumps(case), encoding="utf-8")
+        command = ["yade", "-n", "-x", "-j1", HERE / "yade_penetration.py", told, made]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        made.rename(table)
+    with table.open(encoding="utf-8", newline="") as rows:
+        return np.array([[float(row["time"]), float(row["height"])] for row in csv.DictReader(rows)]).T
+
+
+def numbers_of(time, height):
+    """Deepest place of the ball's lowest point above the floor, when that is, how fast it is there where its middle
+    has come down by 130 mm, and how fast it goes up 5 ms after it was deepest."""
+    down = FROM - height
+    lowest = int(np.argmin(height))
+    passes = int(np.argmax(down > 0.13))
+    speed = np.gradient(height, time)
+    return {
+        "deepest, mm": 1e3 * (height[lowest] - RADIUS),
+        "at, ms": 1e3 * time[lowest],
+        "speed at 130 mm, m/s": -speed[passes],
+        "speed 5 ms later, m/s": float(np.interp(time[lowest] + 5e-3, time, speed)),
+    }
+
+
+def curves_of(arguments, seed):
+    folder = arguments.out / (("small-" if arguments.small else "") + f"bed-{seed}")
+    settled, flight = thrown(arguments, folder, seed)
+    bed, history = settled.states[-1], flight.history
+    start = settled.history["time"][-1]
+    height = history["ball_y"]
+    top = settled.history["ball_y"][-1]  # where the ball waits
+    curves = {"Arenite": np.array([history["time"] - start, height])}
+    if not arguments.no_yade:
+        for name, restitution in RUNS.items():
+            case = case_of(bed, top, 1e-6, history["time"][-1] - start)
+            curves[name] = by_yade(folder, name, {**case, "restitution_of_steel": restitution})
+    before = (math.sqrt(SPEED**2 + 2 * GRAVITY * (FROM - top)) - SPEED) / GRAVITY
+    surface = np.sort(bed.position[:, 1] + bed.radius)[-len(bed) // 50 :].mean()
+    box = bed.domain["size"]
+    solid = 2 * bed.position[:, 1].mean() * box[0] * box[2]
+    print(
+        f"bed {seed}: {len(bed)} spheres, surface at {1e3 * surface:.1f} mm, mean height "
+        f"{1e3 * bed.position[:, 1].mean():.2f} mm, solid fraction "
+        f"{(4 / 3 * math.pi * bed.radius**3).sum() / solid:.3f} of twice that"
+    )
+    return {name: (before + curve[0], curve[1]) for name, curve in curves.items()}
+
+
+def draw(file, beds):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    fig, axes = plt.subplots(figsize=(6, 3.4), constrained_layout=True)
+    colours = dict(zip(["Arenite", *RUNS], ["#1f5fa8", "#c8551b", "#7a7a7a"]))
+    for n, curves in enumerate(beds):
+        for name, (time, height) in curves.items():
+            axes.plot(1e3 * time, -1e3 * (FROM - height), color=colours[name], lw=1.3, label=name if n == 0 else None)
+    axes.axhline(-1e3 * (FROM - RADIUS), color="k", lw=0.8, ls=":", label="it would touch the floor")
+    axes.set_xlabel("time since it was thrown, ms")
+    axes.set_ylabel("vertical displacement, mm")
+    axes.legend(frameon=False)
+    fig.savefig(file, dpi=150, metadata={"Software": None})
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--program", default="build/arenite")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/penetration"))
+    parser.add_argument("--beds", type=int, default=1)
+    parser.add_argument("--small", action="store_true")
+    parser.add_argument("--no-yade", action="store_true")
+    parser.add_argument("--picture")
+    arguments = parser.parse_args()
+    beds = [curves_of(arguments, seed) for seed in range(1, arguments.beds + 1)]
+    for name in beds[0]:
+        rows = [numbers_of(*curves[name]) for curves in beds]
+        for key in rows[0]:
+            values = np.array([row[key] for row in rows])
+            error = f" ± {values.std(ddof=1) / math.sqrt(len(values)):.3f}" if len(values) > 1 else ""
+            print(f"{name:28} {key:24} {values.mean():.3f}{error}")
+    if arguments.picture:
+        draw(arguments.picture, beds)
+
+
+if __name__ == "__main__":
+    main()
