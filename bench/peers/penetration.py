@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """A steel ball thrown into a bed of spheres, by Arenite and, into the same bed, by YADE.
 
-usage: bench/peers/penetration.py [--program build/arenite] [--out out/penetration] [--beds 1] [--small] [--no-yade]
+usage: bench/peers/penetration.py [--program build/arenite] [--out out/penetration] [--beds 1] [--small] [--yade both]
                                   [--picture FILE]
-The recipe is validation/benchmarks/penetration.toml; --small is a narrower box of 3000 spheres, --beds so many of
+The recipe is validation/benchmarks/penetration.toml; --small is a smaller ball over
+2500 spheres, --beds so many of
 different seeds. What a folder has already is not computed again. YADE runs twice, with the restitution of Arenite's
 boundaries, which is that of the spheres, and with that of steel which the comparison asks for. Needs Debian's yade.
 """
@@ -21,14 +22,18 @@ import arenite
 HERE = pathlib.Path(__file__).resolve().parent
 RECIPE = HERE.parents[1] / "validation" / "benchmarks" / "penetration.toml"
 SMALL = {
-    "container.width": '"40 mm"',
-    "container.depth": '"40 mm"',
-    "packing.area.top": '"28 mm"',
-    "populations.0.count": "6000",
-    "boundaries.0.ball.x": '"20 mm"',
-    "boundaries.0.ball.z": '"20 mm"',
+    "variables.D": '"10 mm"',
+    "variables.fall": '"118 mm"',
+    "container.width": '"30 mm"',
+    "container.depth": '"30 mm"',
+    "packing.area.top": '"22 mm"',
+    "populations.0.count": "2500",
+    "boundaries.0.ball.x": '"15 mm"',
+    "boundaries.0.ball.z": '"15 mm"',
+    "stages.0.duration": '"30 ms"',
+    "stages.1.duration": '"12 ms"',
 }
-FROM, SPEED, GRAVITY, RADIUS = 0.15, 5.0, 9.81, 0.01  # where the ball begins, above the floor, and how
+FROM, SPEED, GRAVITY = 0.15, 5.0, 9.81  # where the ball begins, above the floor, and how
 RUNS = {"YADE": 0.5, "YADE, restitution of steel": 0.4}
 GRAIN_RESTITUTION = 0.5
 
@@ -41,7 +46,7 @@ def thrown(arguments, folder, seed):
     return arenite.open(folder).spheres[1:]
 
 
-def case_of(bed, height, time_step, duration):
+def case_of(bed, height, radius, duration):
     """All that YADE is told."""
     domain, glass = bed.domain, bed.materials[0]
     sides = (("left", "right"), ("bottom", "top"), ("back", "front"))
@@ -52,8 +57,8 @@ def case_of(bed, height, time_step, duration):
         "box": box,
         "glass": {"E": glass.youngs_modulus, "density": glass.density},
         "restitution": GRAIN_RESTITUTION,
-        "ball": {"place": place, "radius": RADIUS, "speed": math.sqrt(SPEED**2 + 2 * GRAVITY * (FROM - height))},
-        "time_step": time_step,
+        "ball": {"place": place, "radius": radius, "speed": math.sqrt(SPEED**2 + 2 * GRAVITY * (FROM - height))},
+        "time_step": 1e-6,
         "every": 1e-4,
         "duration": duration,
     }
@@ -72,22 +77,20 @@ def by_yade(folder, name, case):
         return np.array([[float(row["time"]), float(row["height"])] for row in csv.DictReader(rows)]).T
 
 
-def numbers_of(time, height):
-    """Deepest place of the ball's lowest point above the floor, when that is, how fast it is there where its middle
-    has come down by 130 mm, and how fast it goes up 5 ms after it was deepest."""
-    down = FROM - height
+def numbers_of(time, height, half_way):
+    """How far the ball comes down and when; how fast it is half way through the bed, and 3 ms after it was deepest."""
     lowest = int(np.argmin(height))
-    passes = int(np.argmax(down > 0.13))
     speed = np.gradient(height, time)
     return {
-        "deepest, mm": 1e3 * (height[lowest] - RADIUS),
+        "displacement, mm": 1e3 * (FROM - height[lowest]),
         "at, ms": 1e3 * time[lowest],
-        "speed at 130 mm, m/s": -speed[passes],
-        "speed 5 ms later, m/s": float(np.interp(time[lowest] + 5e-3, time, speed)),
+        "speed half way, m/s": -float(np.interp(-half_way, -height[:lowest], speed[:lowest])),
+        "speed 3 ms later, m/s": float(np.interp(time[lowest] + 3e-3, time, speed)),
     }
 
 
 def curves_of(arguments, seed):
+    radius = 0.005 if arguments.small else 0.01
     folder = arguments.out / (("small-" if arguments.small else "") + f"bed-{seed}")
     settled, flight = thrown(arguments, folder, seed)
     bed, history = settled.states[-1], flight.history
@@ -95,9 +98,9 @@ def curves_of(arguments, seed):
     height = history["ball_y"]
     top = settled.history["ball_y"][-1]  # where the ball waits
     curves = {"Arenite": np.array([history["time"] - start, height])}
-    if not arguments.no_yade:
-        for name, restitution in RUNS.items():
-            case = case_of(bed, top, 1e-6, history["time"][-1] - start)
+    for name, restitution in RUNS.items():
+        if arguments.yade == "both" or name.endswith(arguments.yade):
+            case = case_of(bed, top, radius, history["time"][-1] - start)
             curves[name] = by_yade(folder, name, {**case, "restitution_of_steel": restitution})
     before = (math.sqrt(SPEED**2 + 2 * GRAVITY * (FROM - top)) - SPEED) / GRAVITY
     surface = np.sort(bed.position[:, 1] + bed.radius)[-len(bed) // 50 :].mean()
@@ -108,7 +111,7 @@ def curves_of(arguments, seed):
         f"{1e3 * bed.position[:, 1].mean():.2f} mm, solid fraction "
         f"{(4 / 3 * math.pi * bed.radius**3).sum() / solid:.3f} of twice that"
     )
-    return {name: (before + curve[0], curve[1]) for name, curve in curves.items()}
+    return {name: (before + curve[0], curve[1], 0.5 * surface + radius) for name, curve in curves.items()}
 
 
 def draw(file, beds):
@@ -120,9 +123,8 @@ def draw(file, beds):
     fig, axes = plt.subplots(figsize=(6, 3.4), constrained_layout=True)
     colours = dict(zip(["Arenite", *RUNS], ["#1f5fa8", "#c8551b", "#7a7a7a"]))
     for n, curves in enumerate(beds):
-        for name, (time, height) in curves.items():
+        for name, (time, height, _) in curves.items():
             axes.plot(1e3 * time, -1e3 * (FROM - height), color=colours[name], lw=1.3, label=name if n == 0 else None)
-    axes.axhline(-1e3 * (FROM - RADIUS), color="k", lw=0.8, ls=":", label="it would touch the floor")
     axes.set_xlabel("time since it was thrown, ms")
     axes.set_ylabel("vertical displacement, mm")
     axes.legend(frameon=False)
@@ -135,7 +137,7 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/penetration"))
     parser.add_argument("--beds", type=int, default=1)
     parser.add_argument("--small", action="store_true")
-    parser.add_argument("--no-yade", action="store_true")
+    parser.add_argument("--yade", choices=["both", "steel", "none"], default="both")
     parser.add_argument("--picture")
     arguments = parser.parse_args()
     beds = [curves_of(arguments, seed) for seed in range(1, arguments.beds + 1)]
