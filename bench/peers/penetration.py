@@ -31,7 +31,7 @@ SMALL = {
     "boundaries.0.ball.x": '"15 mm"',
     "boundaries.0.ball.z": '"15 mm"',
     "stages.0.duration": '"30 ms"',
-    "stages.1.duration": '"12 ms"',
+    "stages.1.duration": '"10 ms"',
 }
 FROM, SPEED, GRAVITY = 0.15, 5.0, 9.81  # where the ball begins, above the floor, and how
 RUNS = {"YADE": 0.5, "YADE, restitution of steel": 0.4}
@@ -78,14 +78,14 @@ def by_yade(folder, name, case):
 
 
 def numbers_of(time, height, half_way):
-    """How far the ball comes down and when; how fast it is half way through the bed, and 3 ms after it was deepest."""
+    """How far the ball comes down and when; how fast it is half way through the bed, and 1 ms after it was deepest."""
     lowest = int(np.argmin(height))
     speed = np.gradient(height, time)
     return {
         "displacement, mm": 1e3 * (FROM - height[lowest]),
         "at, ms": 1e3 * time[lowest],
         "speed half way, m/s": -float(np.interp(-half_way, -height[:lowest], speed[:lowest])),
-        "speed 3 ms later, m/s": float(np.interp(time[lowest] + 3e-3, time, speed)),
+        "speed 1 ms later, m/s": float(np.interp(time[lowest] + 1e-3, time, speed)),
     }
 
 
