@@ -77,16 +77,12 @@ def by_yade(folder, name, case):
         return np.array([[float(row["time"]), float(row["height"])] for row in csv.DictReader(rows)]).T
 
 
-def numbers_of(time, height, half_way):
-    """How far the ball comes down and when; how fast it is half way through the bed, and 1 ms after it was deepest."""
-    lowest = int(np.argmin(height))
-    speed = np.gradient(height, time)
-    return {
-        "displacement, mm": 1e3 * (FROM - height[lowest]),
-        "at, ms": 1e3 * time[lowest],
-        "speed half way, m/s": -float(np.interp(-half_way, -height[:lowest], speed[:lowest])),
-        "speed 1 ms later, m/s": float(np.interp(time[lowest] + 1e-3, time, speed)),
-    }
+def numbers_of(time, height):
+    """Vertical displacement every two milliseconds of the run, and how far down the ball comes where it turns, in mm."""
+    down = 1e3 * (FROM - height)
+    numbers = {f"after {ms:2} ms": np.interp(1e-3 * ms, time, down, right=np.nan) for ms in range(2, 16, 2)}
+    lowest = int(np.argmax(down))
+    return numbers | {"at most": down[lowest] if lowest + 1 < len(down) else np.nan}
 
 
 def curves_of(arguments, seed):
@@ -102,7 +98,6 @@ def curves_of(arguments, seed):
         if arguments.yade == "both" or name.endswith(arguments.yade):
             case = case_of(bed, top, radius, history["time"][-1] - start)
             curves[name] = by_yade(folder, name, {**case, "restitution_of_steel": restitution})
-    before = (math.sqrt(SPEED**2 + 2 * GRAVITY * (FROM - top)) - SPEED) / GRAVITY
     surface = np.sort(bed.position[:, 1] + bed.radius)[-len(bed) // 50 :].mean()
     box = bed.domain["size"]
     solid = 2 * bed.position[:, 1].mean() * box[0] * box[2]
@@ -111,7 +106,7 @@ def curves_of(arguments, seed):
         f"{1e3 * bed.position[:, 1].mean():.2f} mm, solid fraction "
         f"{(4 / 3 * math.pi * bed.radius**3).sum() / solid:.3f} of twice that"
     )
-    return {name: (before + curve[0], curve[1], 0.5 * surface + radius) for name, curve in curves.items()}
+    return curves
 
 
 def draw(file, beds):
@@ -123,9 +118,9 @@ def draw(file, beds):
     fig, axes = plt.subplots(figsize=(6, 3.4), constrained_layout=True)
     colours = dict(zip(["Arenite", *RUNS], ["#1f5fa8", "#c8551b", "#7a7a7a"]))
     for n, curves in enumerate(beds):
-        for name, (time, height, _) in curves.items():
+        for name, (time, height) in curves.items():
             axes.plot(1e3 * time, -1e3 * (FROM - height), color=colours[name], lw=1.3, label=name if n == 0 else None)
-    axes.set_xlabel("time since it was thrown, ms")
+    axes.set_xlabel("time, ms")
     axes.set_ylabel("vertical displacement, mm")
     axes.legend(frameon=False)
     fig.savefig(file, dpi=150, metadata={"Software": None})
@@ -143,10 +138,11 @@ def main():
     beds = [curves_of(arguments, seed) for seed in range(1, arguments.beds + 1)]
     for name in beds[0]:
         rows = [numbers_of(*curves[name]) for curves in beds]
-        for key in rows[0]:
-            values = np.array([row[key] for row in rows])
-            error = f" ± {values.std(ddof=1) / math.sqrt(len(values)):.3f}" if len(values) > 1 else ""
-            print(f"{name:28} {key:24} {values.mean():.3f}{error}")
+        print(name, ", ".join(f"{key} {np.mean([row[key] for row in rows]):.3f}" for key in rows[0]))
+        if name != "Arenite":
+            ours = [numbers_of(*curves["Arenite"]) for curves in beds]
+            apart = {key: [row[key] - own[key] for row, own in zip(rows, ours)] for key in rows[0]}
+            print("  less ours", ", ".join(f"{key} {np.round(values, 3)}" for key, values in apart.items()))
     if arguments.picture:
         draw(arguments.picture, beds)
 
