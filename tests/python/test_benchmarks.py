@@ -40,10 +40,9 @@ def test_the_ball_falls_freely_until_it_meets_the_bed_and_stops_in_it(thrown):
     assert touches > 2
     # Velocity Verlet is exact under a constant force.
     assert height[:touches] == pytest.approx(start - speed * time[:touches] - 4.905 * time[:touches] ** 2, abs=1e-12)
-    lowest = np.argmin(height)
     surface = bed.states[-1].position[:, 1].max() + 0.001
-    assert 0 < height[lowest] - 0.004 < surface - 0.001 and lowest + 1 < len(height)
-    assert np.all(force >= 0)
+    assert 0 < height[-1] - 0.004 < surface - 0.001
+    assert abs(height[-1] - height[-2]) / (time[-1] - time[-2]) < 0.1 * speed
 
 
 def test_energy_of_ball_and_bed_is_in_balance(thrown):
