@@ -139,6 +139,44 @@ struct Cone {
   }
 };
 
+struct Ball {
+  Vec3 centre;
+  double diameter = 0;
+  std::int64_t segments = 32;
+
+  void declare(Visitor& v) {
+    v.number({"x", "Of the centre, from the container's left side.", true}, centre.x, "mm", range::any);
+    v.number({"y", "Of the centre, above the container's bottom.", true}, centre.y, "mm", range::any);
+    v.number({"z", "Of the centre, from the container's back.", true}, centre.z, "mm", range::any);
+    v.number({"diameter", "Of the sphere on which the corners lie.", true}, diameter, "mm", range::positive);
+    v.integer({"segments", "Number of faces around it; half as many lie from pole to pole, which are below and above."},
+              segments, {4, 128});
+    v.require(segments % 2 == 0, {"segments"}, "must be even, for half as many lie from pole to pole");
+  }
+
+  /// Trapezoids between circles of latitude, and triangles at the poles.
+  void add_to(BoundaryIn<3>& boundary) const {
+    constexpr double pi = std::numbers::pi;
+    const std::vector<Vec2> meridian =  // distance from the axis, height
+        points_on_arc({0, centre.y}, diameter, {-0.5 * pi, 2 * pi}, segments, segments / 2 + 1);
+    const Vec2 axis{centre.x, centre.z};
+    for (std::size_t band = 0; band + 1 < meridian.size(); ++band) {
+      const bool from_pole = band == 0, to_pole = band + 2 == meridian.size();
+      const double low = meridian[band].y, high = meridian[band + 1].y;
+      const geometry::Polygon lower = ring(axis, from_pole ? 0 : 2 * meridian[band].x, segments),
+                              upper = ring(axis, to_pole ? 0 : 2 * meridian[band + 1].x, segments);
+      for (std::size_t k = 0; k < lower.size(); ++k) {
+        const std::size_t next = (k + 1) % lower.size();
+        std::vector<Vec3> corners{{lower[k].x, low, lower[k].y}};
+        if (!from_pole) corners.push_back({lower[next].x, low, lower[next].y});
+        if (!to_pole) corners.push_back({upper[next].x, high, upper[next].y});
+        corners.push_back({upper[k].x, high, upper[k].y});
+        add_face(corners, boundary);
+      }
+    }
+  }
+};
+
 /// How many corners each face has; one that has all of them is not written.
 void declare_corners(Visitor& v, BoundaryIn<3>& boundary) {
   v.points({"corners", "Corners of flat convex faces, in order around each, from the lower left corner at the back."},
@@ -174,11 +212,16 @@ void declare_faces(Visitor& v, BoundaryIn<3>& boundary, const ContainerParameter
   std::optional<Cone> cone;
   v.optional_section<Cone>({"cone", "A cone without its tip, or a tube, of flat faces instead of corners."}, cone,
                            [](Visitor& inner, Cone& it) { it.declare(inner); });
-  given += (plate ? 1 : 0) + (cone ? 1 : 0);
-  v.require(given == 1, {"corners", "plate", "cone"},
-            given == 0 ? "is missing; give corners, or a plate or a cone" : "give one of corners, plate and cone");
+  std::optional<Ball> ball;
+  v.optional_section<Ball>({"ball", "A ball of flat faces instead of corners: an intruder."}, ball,
+                           [](Visitor& inner, Ball& it) { it.declare(inner); });
+  given += (plate ? 1 : 0) + (cone ? 1 : 0) + (ball ? 1 : 0);
+  v.require(given == 1, {"corners", "plate", "cone", "ball"},
+            given == 0 ? "is missing; give corners, or a plate, a cone or a ball"
+                       : "give one of corners, plate, cone and ball");
   if (plate) plate->add_to(boundary, container);
   if (cone) cone->add_to(boundary);
+  if (ball) ball->add_to(boundary);
   v.require(!plate || !boundary.points.empty(), {"plate"}, "has an opening that leaves nothing of it");
   const std::size_t bent = first_bent(boundary);
   v.require(bent == 0, {"corners"},

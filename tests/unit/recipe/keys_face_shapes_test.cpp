@@ -88,6 +88,31 @@ TEST(FaceShapes, AConeHasTheAreaOfItsTrapezoids) {
   EXPECT_NEAR(area_of(cone), 16 * (0.01 + 0.03) * half * rise, 1e-12);
 }
 
+TEST(FaceShapes, ABallClosesOverTheVolumeOfItsFaces) {
+  const BoundaryIn<3> ball =
+      read(R"(ball = { x = "50 mm", y = "120 mm", z = "40 mm", diameter = "20 mm", segments = 24 })");
+  EXPECT_EQ(ball.corners.size(), 24U * 12U);
+  const Vec3 centre{0.05, 0.12, 0.04};
+  for (const Vec3& p : ball.points) EXPECT_NEAR(norm(p - centre), 0.01, 1e-12);
+  double volume = 0;
+  Vec3 all{};  // of a closed surface seen from one side the areas cancel
+  for (const geometry::Face face : geometry::faces_of(ball.points, ball.corners)) {
+    all += geometry::area_vector(face);
+    const double part = dot(face[0] - centre, geometry::area_vector(face)) / 6;
+    EXPECT_GT(std::abs(part), 0);
+    volume += std::abs(part);
+  }
+  EXPECT_NEAR(norm(all), 0, 1e-15);
+  // A circle of latitude becomes a polygon of 24 sides, a band a frustum.
+  const double pi = std::numbers::pi, side = 12 * std::sin(2 * pi / 24);
+  double wanted = 0;
+  for (int band = 0; band < 12; ++band) {
+    const double a = -pi / 2 + band * pi / 12, b = a + pi / 12, p = std::cos(a), q = std::cos(b);
+    wanted += 1e-6 * side * (std::sin(b) - std::sin(a)) * (p * p + p * q + q * q) / 3;
+  }
+  EXPECT_NEAR(volume, wanted, 1e-12 * 1e-6);
+}
+
 TEST(FaceShapes, MoveAlongThreeAxes) {
   const Recipe recipe =
       parse_recipe(in_space(boundary(R"(plate = { y = "50 mm" })"),
@@ -104,13 +129,16 @@ TEST(FaceShapes, MoveAlongThreeAxes) {
 
 TEST(FaceShapes, ThatMakeNoSenseAreRefused) {
   const auto refused = [](const std::string& keys) { return problem_of(in_space(boundary(keys))); };
-  EXPECT_NE(refused("").find("give corners, or a plate or a cone"), std::string::npos);
+  EXPECT_NE(refused("").find("give corners, or a plate, a cone or a ball"), std::string::npos);
   EXPECT_NE(refused(R"(corners = [["0 mm", "0 mm", "0 mm"], ["1 mm", "0 mm", "0 mm"]])").find("flat and convex"),
             std::string::npos);
   EXPECT_NE(refused(R"(plate = { y = "5 mm", opening_width = "2 mm" })").find("a width and a depth"),
             std::string::npos);
+  EXPECT_NE(
+      refused(R"(ball = { x = "1 mm", y = "1 mm", z = "1 mm", diameter = "1 mm", segments = 7 })").find("must be even"),
+      std::string::npos);
   EXPECT_NE(refused(R"(points = [["0 mm", "0 mm"], ["1 mm", "0 mm"]])")
-                .find("the keys here are: cone, corners, faces, name, plate"),
+                .find("the keys here are: ball, cone, corners, faces, name, plate"),
             std::string::npos);
   EXPECT_NE(
       problem_of(in_space(boundary(R"(plate = { y = "5 mm" })"), "boundaries = [{ name = \"gate\", absent = true }]\n"))

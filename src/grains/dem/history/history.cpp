@@ -96,6 +96,7 @@ void append_boundaries(History& history, const DomainIn<3>& domain) {
   constexpr const char* axes = "xyz";
   for (const BoundaryIn<3>& boundary : domain.boundaries)
     for (int axis = 0; axis < 3; ++axis) {
+      append(history, fmt::format("{}_{}", boundary.name, axes[axis]).c_str(), "m", boundary.centre[axis]);
       append(history, fmt::format("{}_force_{}", boundary.name, axes[axis]).c_str(), "N", boundary.force[axis]);
       append(history, fmt::format("{}_torque_{}", boundary.name, axes[axis]).c_str(), "N m", boundary.torque[axis]);
     }
