@@ -101,6 +101,20 @@ TEST(Spheres, TheExampleOfATriaxialTestRuns) {
       0.55);
 }
 
+TEST(Spheres, TheExampleOfAShearedCellRuns) {
+  const TemporaryFolder folder;
+  const auto out = folder / "out";
+  const auto run =
+      arenite("run " ARENITE_SOURCE_DIR "/examples/42-sheared-spheres/recipe.toml --quiet --out " + out.string() +
+              " --set packing.grains=120 --set 'container.width=\"20 mm\"' --set 'container.depth=\"20 mm\"'" +
+              " --set 'stages.1.shear_rate=\"63 1/s\"' --set 'stages.1.duration=\"60 ms\"'");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json critical = numbers_shown(out)["critical_state"];
+  EXPECT_NEAR(critical["inertial_number"].get<double>(), 0.1, 0.01);
+  EXPECT_NEAR(critical["mu"]["value"].get<double>(), 0.45, 0.08);
+  EXPECT_NEAR(critical["solid_fraction"]["value"].get<double>(), 0.58, 0.02);
+}
+
 /// By VTK and ASE themselves, beside the stage file as h5py reads it.
 const char* const compare = R"(
 import glob, sys
