@@ -78,7 +78,7 @@ def by_yade(folder, name, case):
 
 
 def numbers_of(time, height):
-    """Vertical displacement every two milliseconds of the run, and how far down the ball comes where it turns, in mm."""
+    """Vertical displacement every two milliseconds, and how far down the ball comes where it turns, in mm."""
     down = 1e3 * (FROM - height)
     numbers = {f"after {ms:2} ms": np.interp(1e-3 * ms, time, down, right=np.nan) for ms in range(2, 16, 2)}
     lowest = int(np.argmax(down))
