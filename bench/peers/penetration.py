@@ -78,7 +78,7 @@ def by_yade(folder, name, case):
 
 
 def numbers_of(time, height):
-    """Vertical displacement every two milliseconds of the run, and how far down the ball comes where it turns, in mm."""
+    """Vertical displacement every two milliseconds, and how far down the ball comes where it turns, in mm."""
     down = 1e3 * (FROM - height)
     numbers = {f"after {ms:2} ms": np.interp(1e-3 * ms, time, down, right=np.nan) for ms in range(2, 16, 2)}
     lowest = int(np.argmax(down))
@@ -116,10 +116,12 @@ def draw(file, beds):
     import matplotlib.pyplot as plt
 
     fig, axes = plt.subplots(figsize=(6, 3.4), constrained_layout=True)
-    colours = dict(zip(["Arenite", *RUNS], ["#1f5fa8", "#c8551b", "#7a7a7a"]))
+    styles = dict(zip(["Arenite", *RUNS], [("#8db4e2", "-", 4), ("#7a7a7a", ":", 1.5), ("#c8551b", "--", 1.5)]))
     for n, curves in enumerate(beds):
         for name, (time, height) in curves.items():
-            axes.plot(1e3 * time, -1e3 * (FROM - height), color=colours[name], lw=1.3, label=name if n == 0 else None)
+            colour, line, width = styles[name]
+            label = name if n == 0 else None
+            axes.plot(1e3 * time, -1e3 * (FROM - height), color=colour, ls=line, lw=width, label=label)
     axes.set_xlabel("time, ms")
     axes.set_ylabel("vertical displacement, mm")
     axes.legend(frameon=False)
