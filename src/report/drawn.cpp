@@ -13,7 +13,7 @@ template <class Names> Numbers names_of(const Names& names) {
   return mapped(names, [](std::string_view name) { return std::string(name); });
 }
 
-Numbers kinds() {
+Numbers kinds_of_nodes() {
   Numbers list = Numbers::list();
   for (const NodeKindWords& kind : node_kinds)
     list.push_back({{"id", std::string(kind.id)}, {"one", std::string(kind.one)}, {"many", std::string(kind.many)}});
@@ -24,7 +24,7 @@ Numbers kinds() {
 
 Numbers drawn() {
   return {
-      {"kinds", kinds()},
+      {"kinds", kinds_of_nodes()},
       {"cracks", names_of(crack_types)},
       {"breaks", names_of(bond_breaks)},
       // Width of a contact force over the radius of a mean grain: at the mean force, and at most.
