@@ -28,7 +28,7 @@ depth = "20 mm"
 
 const std::string press_and_shear = R"([[stages]]
 name = "press"
-top = { pressure = "10 kPa" }
+top = { force = "4 N" }
 increments = 3
 [[stages]]
 name = "slide"
