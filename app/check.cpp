@@ -29,8 +29,7 @@ struct CheckArguments {
 
 /// Why nothing is predicted of what a recipe makes; empty where something is.
 std::string unpredicted(const recipe::Recipe& recipe) {
-  if (recipe.map) return "its phase map is loaded, at a cost that is not predicted";
-  return recipe.dimension == 3 ? "its spheres are moved, at a cost that is not predicted" : "";
+  return recipe.map ? "its phase map is loaded, at a cost that is not predicted" : "";
 }
 
 /// Nothing, and a sentence, where the sample of a recipe cannot be made: the recipe itself is legal.

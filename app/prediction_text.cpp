@@ -76,6 +76,7 @@ std::string prediction_text(const Prediction& p) {
   text += fmt::format("total        {:>12} steps, about {} on one free core, at {:.2g} s per step timed on {}\n",
                       count_text(steps, all_exact), duration_text(p.seconds()), p.seconds_per_step, from);
   text += fmt::format("files        about {}\n", bytes_text(p.bytes()));
+  if (p.memory > 0) text += fmt::format("memory       about {}\n", bytes_text(p.memory));
   for (const StagePrediction& stage : p.stages)
     if (stage.inserted > 0)
       text += fmt::format("stage {}: {:.0f} grains come in, if all find room\n", stage.name, stage.inserted);

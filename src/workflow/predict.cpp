@@ -21,20 +21,24 @@ namespace {
 
 using statistics::described;
 
+/// So much longer takes a step of a sample under load, which has more contacts than the one in hand: measured on
+/// examples/01 and 05, of spheres on validation/benchmarks/penetration.toml.
+double dense(const dem::Engine& /*engine*/) { return 1.25; }
+double dense(const dem::EngineIn<3>& /*engine*/) { return 1.45; }
+
 /// Processor's seconds that a step will take, from some hundred at the begin of the first stage.
-double measured_step(dem::Engine& engine, const dem::Stage& stage) {
-  dem::StageRun run = dem::begin_stage(engine, stage);
+template <int D> double measured_step(dem::EngineIn<D>& engine, const dem::Stage& stage) {
+  dem::StageRunIn<D> run = dem::begin_stage(engine, stage);
   dem::continue_stage(engine, stage, run);  // warms up
   const std::int64_t first = engine.step;
   const std::clock_t began = std::clock();
   const auto seconds = [&] { return static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC; };
   for (int round = 0; round < 20 && !run.finished && seconds() < 0.2; ++round) dem::continue_stage(engine, stage, run);
   const std::int64_t steps = engine.step - first;
-  constexpr double dense = 1.25;  // a sample under load has more contacts (measured on examples/01 and 05)
-  return steps > 0 ? dense * seconds() / static_cast<double>(steps) : 0;
+  return steps > 0 ? dense(engine) * seconds() / static_cast<double>(steps) : 0;
 }
 
-StepLimit limit_of(const dem::Engine& engine, const recipe::Recipe& recipe, double collision) {
+template <int D> StepLimit limit_of(const dem::EngineIn<D>& engine, const recipe::Recipe& recipe, double collision) {
   if (recipe.integration.time_step) return StepLimit::given;
   if (engine.dt > 0.999 * recipe.integration.safety * collision) return StepLimit::collision;
   const dem::StepBounds bounds = step_bounds(engine);
@@ -89,6 +93,22 @@ recipe::Recipe with_fewer(recipe::Recipe recipe, double share, const Smaller& by
   recipe.packing.grains = fewer(recipe.packing.grains);
   recipe.container.width *= by.across;
   recipe.container.height *= by.along;
+  return recipe;
+}
+
+/// The same with fewer spheres in a box that is smaller by as much along each axis, without boundaries: their faces
+/// would stand elsewhere in it.
+recipe::Recipe with_fewer_spheres(recipe::Recipe recipe, double share, double by) {
+  recipe = with_fewer(std::move(recipe), share, {by, by});
+  recipe.container.depth *= by;
+  if (recipe.packing.area)
+    for (std::optional<double>& edge : recipe.packing.area->edge)
+      if (edge) *edge *= by;
+  recipe.boundaries_in_space.clear();
+  for (dem::Stage& stage : recipe.stages) {
+    stage.boundaries_in_space.clear();
+    std::erase_if(stage.programmes, [](const dem::Programme& programme) { return programme.of.is_of_boundary(); });
+  }
   return recipe;
 }
 
@@ -162,10 +182,10 @@ double Prediction::seconds() const {
 }
 
 double Prediction::bytes() const {
-  constexpr double of_grain = 170, of_stage = 4e5;  // in a state; rows of a history (measured on three recipes of init)
-  double sum = of_grain * static_cast<double>(grains);
+  constexpr double of_stage = 4e5;  // rows of a history, measured on three recipes of init
+  double sum = bytes_of_state * static_cast<double>(grains);
   for (const fields::StagePrediction& stage : stages)
-    sum += of_stage + of_grain * static_cast<double>(grains) * static_cast<double>(stage.states);
+    sum += of_stage + bytes_of_state * static_cast<double>(grains) * static_cast<double>(stage.states);
   return sum;
 }
 
@@ -186,36 +206,28 @@ Numbers numbers(const Prediction& p) {
           {"seconds_per_step", described(p.seconds_per_step, "s", "CPU time of one step on one free core")},
           {"computing_s", described(p.seconds(), "s", "CPU time of all stages on one free core")},
           {"files_bytes", described(p.bytes(), "", "Bytes of the files of all stages, to a factor of two or so")},
+          {"memory_bytes", described(p.memory, "", "Bytes of memory that a run of spheres takes; 0 of disks")},
           {"stages", std::move(stages)},
           {"warnings", p.warnings}};
 }
 
-Prediction predict(const recipe::Recipe& recipe) {
-  Prediction p;
-  const std::size_t expected = count_of(recipe);
-  const double share = expected > most_grains ? static_cast<double>(few_grains) / static_cast<double>(expected) : 1.0;
-  const Smaller by = share < 1 ? smaller_by(recipe, share) : Smaller{};
-  const Packing start = make_packing(share < 1 ? with_fewer(recipe, share, by) : recipe).snapshots.back().packing;
-  p.sample = start.grains.size();
-  p.grains = share < 1 ? expected : p.sample;
-  dem::Engine engine(start, recipe.contact, recipe.integration);
+namespace {
+
+/// What the engine of the recipe's sample, or of the small one, says of its steps.
+template <int D>
+void look_at(Prediction& p, const dem::EngineIn<D>& engine, const PackingIn<D>& start, const recipe::Recipe& recipe) {
   p.time_step = engine.dt;
   p.largest_step = step_bounds(engine).largest();
   p.collision = fields::shortest_collision(start, recipe.contact);
   p.material = start.materials[static_cast<std::size_t>(p.collision.material)].name;
   p.limit = limit_of(engine, recipe, p.collision.time);
-  fields::Bulk bulk = fields::bulk_of(start, recipe.contact);
-  bulk.larger = 1 / std::min(by.across, by.along);
-  bulk.width /= by.across;
-  bulk.height /= by.along;
-  fields::Pressures pressures;
-  for (const dem::Stage& stage : recipe.stages) {
-    dem::begin_stage(engine, stage);
-    p.stages.push_back(fields::predict_stage(engine, recipe.contact, recipe.integration.drag, stage, bulk, pressures));
-  }
-  if (recipe.stages.empty()) return p;
+}
+
+/// Times the first stage, and so knows what all of them take.
+template <int D>
+void time_stages(Prediction& p, const PackingIn<D>& start, const recipe::Recipe& recipe, double share) {
   try {
-    dem::Engine timed(start, recipe.contact, recipe.integration);
+    dem::EngineIn<D> timed(start, recipe.contact, recipe.integration);
     p.seconds_per_step = measured_step(timed, recipe.stages.front()) / share;
   } catch (const CannotGoOn& error) {
     p.warnings.push_back(fmt::format("stage {}: {}", recipe.stages.front().name, error.what()));
@@ -227,8 +239,60 @@ Prediction predict(const recipe::Recipe& recipe) {
     stage.seconds = p.seconds_per_step * static_cast<double>(stage.steps) * in_mean;
     grains += stage.inserted;
   }
+}
+
+Prediction predict_spheres(const recipe::Recipe& recipe, std::size_t expected, double share) {
+  Prediction p;
+  const double by = std::cbrt(share);
+  const recipe::Recipe made = share < 1 ? with_fewer_spheres(recipe, share, by) : recipe;
+  const PackingIn<3> start = make_sphere_packing(made).snapshots.back().packing;
+  p.sample = start.grains.size();
+  p.grains = share < 1 ? expected : p.sample;
+  p.bytes_of_state = 500;                                 // dense, with their contacts: measured on docs/benchmarks.md
+  p.memory = 3e7 + 2500 * static_cast<double>(p.grains);  // measured on 25 000 and a million
+  dem::EngineIn<3> engine(start, made.contact, made.integration);
+  look_at(p, engine, start, made);
+  bool at_rest = false;
+  for (const dem::Stage& stage : made.stages) {
+    dem::begin_stage(engine, stage);
+    p.stages.push_back(fields::predict_stage(engine, made.integration.drag, stage, 1 / by, at_rest));
+  }
+  if (made.stages.empty()) return p;
+  time_stages(p, start, made, share);
+  warn(p, made);
+  return p;
+}
+
+Prediction predict_disks(const recipe::Recipe& recipe, std::size_t expected, double share) {
+  Prediction p;
+  const Smaller by = share < 1 ? smaller_by(recipe, share) : Smaller{};
+  const Packing start = make_packing(share < 1 ? with_fewer(recipe, share, by) : recipe).snapshots.back().packing;
+  p.sample = start.grains.size();
+  p.grains = share < 1 ? expected : p.sample;
+  p.bytes_of_state = 170;  // measured on three recipes of init
+  dem::Engine engine(start, recipe.contact, recipe.integration);
+  look_at(p, engine, start, recipe);
+  fields::Bulk bulk = fields::bulk_of(start, recipe.contact);
+  bulk.larger = 1 / std::min(by.across, by.along);
+  bulk.width /= by.across;
+  bulk.height /= by.along;
+  fields::Pressures pressures;
+  for (const dem::Stage& stage : recipe.stages) {
+    dem::begin_stage(engine, stage);
+    p.stages.push_back(fields::predict_stage(engine, recipe.contact, recipe.integration.drag, stage, bulk, pressures));
+  }
+  if (recipe.stages.empty()) return p;
+  time_stages(p, start, recipe, share);
   warn(p, recipe);
   return p;
+}
+
+}  // namespace
+
+Prediction predict(const recipe::Recipe& recipe) {
+  const std::size_t expected = count_of(recipe);
+  const double share = expected > most_grains ? static_cast<double>(few_grains) / static_cast<double>(expected) : 1.0;
+  return recipe.dimension == 3 ? predict_spheres(recipe, expected, share) : predict_disks(recipe, expected, share);
 }
 
 }  // namespace arenite::workflow

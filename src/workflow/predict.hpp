@@ -11,11 +11,6 @@
 #include "statistics/numbers.hpp"
 
 // What a simulation will cost and what it will be like, before it is run. SI units.
-namespace arenite::dem {
-template <int D> class EngineIn;
-using Engine = EngineIn<2>;
-}  // namespace arenite::dem
-
 namespace arenite::workflow {
 
 /// Why the time step is as long as it is.
@@ -33,10 +28,13 @@ struct Prediction {
   std::vector<std::string> warnings;  ///< what is legal but costly or unphysical, a sentence each
   double seconds() const;             ///< of all stages
   double bytes() const;               ///< of the files of its stages, to a factor of two or so
+  double bytes_of_state = 0;          ///< of a grain in a stored state
+  double memory = 0;                  ///< bytes that the run takes of memory, to a tenth or two; of spheres, else 0
 };
 
 /// Looks at the recipe's sample before its loading, or at a small one of the same kind where that is large, and times
-/// some hundred steps of it. Cement, grid and loads are left out. Throws InputError where the sample cannot be made.
+/// some hundred steps of it. Of spheres time, files and memory are predicted, not what the stages will be like. Cement,
+/// grid and loads are left out. Throws InputError where the sample cannot be made.
 Prediction predict(const recipe::Recipe& recipe);
 
 Numbers numbers(const Prediction& prediction);

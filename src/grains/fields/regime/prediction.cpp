@@ -10,11 +10,11 @@
 
 #include "core/problems.hpp"
 #include "core/root.hpp"
-#include "geometry/ball.hpp"
 #include "grains/dem/coefficients.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/exchange/traffic.hpp"
 #include "grains/dem/run_stage.hpp"
+#include "grains/fields/regime/stage_steps.hpp"
 
 namespace arenite::fields {
 
@@ -66,11 +66,6 @@ std::string too_many_steps(const dem::Stage& stage, double time_step) {
 namespace {
 
 using Kind = dem::SideDrive::Kind;
-
-/// Of a time that is an estimate, however long.
-std::int64_t about_steps(double time, double time_step) {
-  return dem::steps_of(std::min(time, most_steps * time_step), time_step);
-}
 
 /// The largest of a value and of what the programmes that `drive` it make of it.
 template <class Drive> double largest(const dem::Stage& stage, double value, Drive drive) {
@@ -165,14 +160,6 @@ double closing_time(const dem::Stage& stage, const Pressures& pressures, bool wi
   return way / (x || y ? speed : std::sqrt(stage.gravity_size * way));
 }
 
-/// The settling time of a sample with these sides whose critical drag is known, s.
-double settling_of(const dem::Stage& stage, std::span<const dem::SideDrive> sides, double critical,
-                   double steady_drag) {
-  const double drag = steady_drag + stage.drag + stage.critical_drag * critical;
-  return settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced,
-                       std::ranges::all_of(sides, &dem::SideDrive::presses));
-}
-
 /// As the engine bounds it: Hertz contacts count as stiff as at an overlap of 2 %.
 double tangent(const dem::ContactParameters& contact, double stiffness) {
   return std::visit([&](const auto& law) { return law.tangent(0.02, stiffness, 1.0); }, contact.normal);
@@ -220,14 +207,8 @@ StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters
     p.inertial_number = inertial_number(rate, bulk.diameter, bulk.density, pressures.confining);
   p.exact = stage.duration || stage.strain_cycles;
   if (p.exact) {
-    if (const std::string wrong = too_many_steps(stage, p.time_step); !wrong.empty())
-      throw refusal("stage \"{}\": {}", stage.name, wrong);
-    p.duration = stage.duration.value_or(0);
-    for (std::int64_t half = 0; half < dem::increment_count(stage) && stage.strain_cycles; ++half)
-      p.duration += static_cast<double>(dem::strain_half(*stage.strain_cycles, half, p.time_step).steps) * p.time_step;
-    p.steps = dem::steps_of(p.duration, p.time_step);
+    count_steps(p, stage);
     p.strain = strain_over(p.duration, stage, bulk);
-    p.states = stage.strain_cycles ? dem::increment_count(stage) : std::max<std::int64_t>(1, stage.snapshots);
     p.inserted = dem::grains_due(engine, stage.exchange, p.duration);
     return p;
   }
@@ -252,39 +233,22 @@ StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParam
   return p;
 }
 
-std::int64_t steps_to_rest(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage) {
-  constexpr double dense = 0.6;  // random packings of spheres, with little and with some friction
-  const DomainIn<3>& cell = engine.domain;
-  const double volume = volume_of(cell), mass = engine.wall[left].sample_mass;
-  double solid = 0, pressure = 0, way = 0;
-  for (std::size_t k = 0; k < engine.count; ++k) solid += geometry::volume_of_ball<3>(engine.record[k].radius) / volume;
-  for (int side = 0; side < sides_in<3>; ++side) {
-    const dem::SideDrive& drive = stage.side[side];
-    const double length = cell.extent(side / 2);
-    if (!drive.presses()) continue;
-    pressure = std::max(pressure, drive.value * (drive.kind == Kind::force ? length / volume : 1));
-    way = std::max(way, (1 - std::min(1.0, solid / dense)) * length);
-  }
-  const double speed = 2 * stage.inertial_number * std::sqrt(pressure * volume / mass);
-  double closing = speed > 0 ? way / speed : 0;
-  if (stage.gravity) closing += std::sqrt(2 * cell.extent(1) / stage.gravity_size);
-  const double settling = settling_of(stage, stage.side, dem::critical_drag(engine), steady_drag);
-  constexpr double late = 4;  // slips and grains that come to bear late; measured on packings of 120 to 900 spheres
-  return about_steps(late * (closing + settling), engine.dt);
-}
-
-ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact) {
+template <int D>
+ShortestCollision shortest_collision(const PackingIn<D>& packing, const dem::ContactParameters& contact) {
   const dem::CoefficientTable table(packing.materials, packing.grains.material, contact);
   ShortestCollision shortest;
   for (std::size_t k = 0; k < packing.grains.size(); ++k) {
     const std::int32_t material = packing.grains.material[k];
-    const dem::DiskRecord disk{.radius = packing.grains.radius[k], .mass = mass_of(packing, k), .material = material};
-    const double pair = collision_time(0.5 * disk.mass, tangent(contact, table.pair_stiffness(disk, disk)));
-    const double wall = collision_time(disk.mass, tangent(contact, table.wall_stiffness(disk)));
+    const dem::GrainRecord<D> grain{
+        .radius = packing.grains.radius[k], .mass = mass_of(packing, k), .material = material};
+    const double pair = collision_time(0.5 * grain.mass, tangent(contact, table.pair_stiffness(grain, grain)));
+    const double wall = collision_time(grain.mass, tangent(contact, table.wall_stiffness(grain)));
     if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time)
-      shortest = {time, disk.radius, material, wall < pair};
+      shortest = {time, grain.radius, material, wall < pair};
   }
   return shortest;
 }
+template ShortestCollision shortest_collision(const Packing&, const dem::ContactParameters&);
+template ShortestCollision shortest_collision(const PackingIn<3>&, const dem::ContactParameters&);
 
 }  // namespace arenite::fields

@@ -48,7 +48,8 @@ struct ShortestCollision {
   std::int32_t material = 0;
   bool with_wall = false;
 };
-ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact);
+template <int D>
+ShortestCollision shortest_collision(const PackingIn<D>& packing, const dem::ContactParameters& contact);
 
 /// Steps of a stage that can be counted one by one: whole numbers up to here are exact in a double.
 inline constexpr double most_steps = 9007199254740992.0;
@@ -99,5 +100,10 @@ StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParam
 /// Steps, roughly, in which spheres come to rest under the drives of a stage, from where they are: as dense as they
 /// then get, and settled.
 std::int64_t steps_to_rest(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage);
+
+/// Time and steps of a stage of spheres that the engine has begun; the sample is `larger` times as wide as the one in
+/// hand. `at_rest`: whether a stage before has brought it to rest, and so dense; then whether this one has.
+StagePrediction predict_stage(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage,
+                              double larger, bool& at_rest);
 
 }  // namespace arenite::fields
