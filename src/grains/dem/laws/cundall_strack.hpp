@@ -1,5 +1,4 @@
 #pragma once
-#include "core/lanes.hpp"
 #include "grains/dem/laws/parts.hpp"
 
 namespace arenite::dem {
@@ -14,7 +13,7 @@ struct CundallStrack : WithoutParameters {
   static constexpr Word word{"cundall_strack", "spring with the Coulomb limit: sustains static friction"};
   static constexpr bool remembers = true;
 
-  template <class V, class T> ARENITE_INLINE T tangential(const Slip<V, T>& slip, T& memory) const {
+  template <class V, class T> [[gnu::always_inline]] T tangential(const Slip<V, T>& slip, T& memory) const {
     using lane::within;
     const T pull = within(slip.stiffness * (memory + slip.lead * slip.velocity), slip.cap);
     memory = pull / slip.stiffness + slip.lag * slip.velocity;
