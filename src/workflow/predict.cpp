@@ -12,6 +12,7 @@
 #include "grains/dem/engine.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/regime/prediction.hpp"
+#include "grains/fields/regime/stage_steps.hpp"
 #include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
 

@@ -8,6 +8,7 @@
 #include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "grains/fields/regime/prediction.hpp"
+#include "grains/fields/regime/stage_steps.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {

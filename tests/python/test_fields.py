@@ -122,7 +122,9 @@ def test_nodes_are_of_the_kinds_that_pages_and_figures_name():
     map = arenite.PhaseMap(phase, [[-1, -1, 0], [1, 1, 1]], dx=1e-3)
     kinds = [kind["id"] for kind in arenite._core._drawn["kinds"]]
     assert np.array_equal(np.array(kinds)[arenite._core._kinds_of_nodes(map)], np.array(kinds)[phase])
-    labels = [entry.get_label() for entry in arenite.figures.fields.phase_key(map)]
+    from arenite.figures import fields
+
+    labels = [entry.get_label() for entry in fields.phase_key(map)]
     assert labels == ["grains 66.7 %", "matrix 16.7 %", "void 16.7 %"]
 
 

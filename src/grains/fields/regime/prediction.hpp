@@ -97,13 +97,4 @@ struct Pressures {
 StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
                               const dem::Stage& stage, Bulk& bulk, Pressures& pressures);
 
-/// Steps, roughly, in which spheres come to rest under the drives of a stage, from where they are: as dense as they
-/// then get, and settled.
-std::int64_t steps_to_rest(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage);
-
-/// Time and steps of a stage of spheres that the engine has begun; the sample is `larger` times as wide as the one in
-/// hand. `at_rest`: whether a stage before has brought it to rest, and so dense; then whether this one has.
-StagePrediction predict_stage(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage,
-                              double larger, bool& at_rest);
-
 }  // namespace arenite::fields

@@ -5,7 +5,7 @@
 #include "grains/dem/stage.hpp"
 #include "grains/fields/regime/prediction.hpp"
 
-// What predictions of disks and of spheres count alike.
+// What predictions of disks and of spheres count alike, and those of spheres.
 namespace arenite::fields {
 
 /// Steps of a time that is an estimate, however long.
@@ -16,5 +16,14 @@ void count_steps(StagePrediction& prediction, const dem::Stage& stage);
 
 /// The settling time of a sample with these sides whose critical drag is known, s.
 double settling_of(const dem::Stage& stage, std::span<const dem::SideDrive> sides, double critical, double steady_drag);
+
+/// Steps, roughly, in which spheres come to rest under the drives of a stage, from where they are: as dense as they
+/// then get, and settled.
+std::int64_t steps_to_rest(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage);
+
+/// Time and steps of a stage of spheres that the engine has begun; the sample is `larger` times as wide as the one in
+/// hand. `at_rest`: whether a stage before has brought it to rest, and so dense; then whether this one has.
+StagePrediction predict_stage(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage,
+                              double larger, bool& at_rest);
 
 }  // namespace arenite::fields
