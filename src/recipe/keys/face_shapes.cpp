@@ -34,6 +34,24 @@ geometry::Polygon ring(Vec2 centre, double diameter, std::int64_t segments) {
   return points_on_arc(centre, diameter, {0, 2 * std::numbers::pi}, segments, segments);
 }
 
+/// A level circle about an upright axis; a point where its diameter is 0.
+struct Rim {
+  double height, diameter;
+};
+
+/// The faces between two rims: trapezoids, or triangles where one is a point.
+void add_band(Vec2 axis, Rim low, Rim high, std::int64_t segments, BoundaryIn<3>& boundary) {
+  const geometry::Polygon lower = ring(axis, low.diameter, segments), upper = ring(axis, high.diameter, segments);
+  for (std::size_t k = 0; k < lower.size(); ++k) {
+    const std::size_t next = (k + 1) % lower.size();
+    std::vector<Vec3> corners{{lower[k].x, low.height, lower[k].y}};
+    if (low.diameter > 0) corners.push_back({lower[next].x, low.height, lower[next].y});
+    if (high.diameter > 0) corners.push_back({upper[next].x, high.height, upper[next].y});
+    corners.push_back({upper[k].x, high.height, upper[k].y});
+    add_face(corners, boundary);
+  }
+}
+
 /// The part of a convex polygon to the left of the line from a to b.
 geometry::Polygon left_of(const geometry::Polygon& polygon, Vec2 a, Vec2 b) {
   geometry::Polygon part;
@@ -127,15 +145,7 @@ struct Cone {
   }
 
   void add_to(BoundaryIn<3>& boundary) const {
-    const geometry::Polygon lower = ring(centre, low_diameter, segments), upper = ring(centre, high_diameter, segments);
-    for (std::size_t k = 0; k < lower.size(); ++k) {
-      const std::size_t next = (k + 1) % lower.size();
-      add_face({{lower[k].x, low, lower[k].y},
-                {lower[next].x, low, lower[next].y},
-                {upper[next].x, high, upper[next].y},
-                {upper[k].x, high, upper[k].y}},
-               boundary);
-    }
+    add_band(centre, {low, low_diameter}, {high, high_diameter}, segments, boundary);
   }
 };
 
@@ -159,21 +169,12 @@ struct Ball {
     constexpr double pi = std::numbers::pi;
     const std::vector<Vec2> meridian =  // distance from the axis, height
         points_on_arc({0, centre.y}, diameter, {-0.5 * pi, 2 * pi}, segments, segments / 2 + 1);
-    const Vec2 axis{centre.x, centre.z};
-    for (std::size_t band = 0; band + 1 < meridian.size(); ++band) {
-      const bool from_pole = band == 0, to_pole = band + 2 == meridian.size();
-      const double low = meridian[band].y, high = meridian[band + 1].y;
-      const geometry::Polygon lower = ring(axis, from_pole ? 0 : 2 * meridian[band].x, segments),
-                              upper = ring(axis, to_pole ? 0 : 2 * meridian[band + 1].x, segments);
-      for (std::size_t k = 0; k < lower.size(); ++k) {
-        const std::size_t next = (k + 1) % lower.size();
-        std::vector<Vec3> corners{{lower[k].x, low, lower[k].y}};
-        if (!from_pole) corners.push_back({lower[next].x, low, lower[next].y});
-        if (!to_pole) corners.push_back({upper[next].x, high, upper[next].y});
-        corners.push_back({upper[k].x, high, upper[k].y});
-        add_face(corners, boundary);
-      }
-    }
+    const auto rim = [&](std::size_t k) {
+      const bool is_pole = k == 0 || k + 1 == meridian.size();
+      return Rim{meridian[k].y, is_pole ? 0 : 2 * meridian[k].x};
+    };
+    for (std::size_t k = 0; k + 1 < meridian.size(); ++k)
+      add_band({centre.x, centre.z}, rim(k), rim(k + 1), segments, boundary);
   }
 };
 
