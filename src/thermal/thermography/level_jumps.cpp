@@ -47,17 +47,29 @@ std::vector<double> step_weights(std::size_t frames, double turns, std::size_t h
   return weight;
 }
 
+/// Steps of n neighbouring pixels before a frame, of which the first frame's are at `frame`.
+template <std::size_t n>
+void steps_before(const double* frame, std::size_t pixels, const std::vector<double>& weight, double* step) {
+  double sum[n] = {};
+  const double *after = frame, *before = frame - pixels;
+  for (const double w : weight) {
+    for (std::size_t i = 0; i < n; ++i) sum[i] += w * (after[i] - before[i]);
+    after += pixels, before -= pixels;
+  }
+  std::copy_n(sum, n, step);
+}
+
 /// Steps of every pixel before some frames: pixels x places.
 Matrix steps_of(const Matrix& value, const std::vector<double>& weight, const std::vector<std::size_t>& places,
                 const ThreadPool& pool) {
-  Matrix step(value.rows(), places.size());
-  pool.for_ranges(places.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t m = begin; m < end; ++m)
-      for (std::size_t k = 0; k < weight.size(); ++k) {
-        const double *after = value.column(places[m] + k), *before = value.column(places[m] - 1 - k), w = weight[k];
-        double* const sum = step.column(m);
-        for (std::size_t i = 0; i < value.rows(); ++i) sum[i] += w * (after[i] - before[i]);
-      }
+  constexpr std::size_t some = 8;  // whose sums stay in registers
+  const std::size_t pixels = value.rows();
+  Matrix step(pixels, places.size());
+  pool.for_each(places.size(), [&](std::size_t m) {
+    const double* const frame = value.column(places[m]);
+    std::size_t i = 0;
+    for (; i + some <= pixels; i += some) steps_before<some>(frame + i, pixels, weight, step.column(m) + i);
+    for (; i < pixels; ++i) steps_before<1>(frame + i, pixels, weight, step.column(m) + i);
   });
   return step;
 }
