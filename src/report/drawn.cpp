@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/mapped.hpp"
+#include "model/colour_scale.hpp"
 #include "model/kinds.hpp"
 
 namespace arenite::report {
@@ -33,9 +34,15 @@ Numbers drawn() {
       // neighbouring bonds do not run into each other; and over the sum of the radii how far apart its grains are at
       // most: beyond it there are two pieces, and no crack to be seen.
       {"crack", {{"half", 0.9}, {"farthest", 1.5}}},
+      // Colours of values about a number that stands in the middle of their scale, and of values from their least on.
+      {"colours",
+       {{"centred", std::string(word_of(ColourScale::diverging))},
+        {"one_sided", std::string(word_of(ColourScale::stress))}}},
       // Over the mean, at the end of a scale: nodes scatter less than grains.
       {"most_stress", {{"grains", 3}, {"nodes", 2}}},
       {"look", {{"azimuth", 35}, {"elevation", 25}}},
+      // The way to the light: to the right of the picture, up in it, and towards the viewer; of length 1.
+      {"light", {0.2507, 0.6217, 0.742}},
       {"cyclic", {"#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"}}};
 }
 

@@ -7,9 +7,8 @@ from matplotlib.lines import Line2D
 from .. import _core
 from .style import (
     bare,
+    centred_map,
     crack_colours,
-    diverging_map,
-    even_map,
     key_below,
     label,
     length_bar,
@@ -17,6 +16,7 @@ from .style import (
     phase_colours,
     drawn,
     kinds,
+    one_sided_map,
     scaled,
 )
 
@@ -131,7 +131,7 @@ def scale_in(values, component, quantities, unit_of_stress, mean_of_sample):
     return values, None if is_magnitude else mean_of_sample() / abs(value), f"{symbol}/{over}"
 
 
-def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverging_map):
+def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=centred_map):
     """A component as `scale_of` gives it; the colour range excludes `share` of the nodes at each end, voids are
     white."""
     values, centre, label = scale_of(field, component)
@@ -140,11 +140,11 @@ def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverg
     return shown
 
 
-def colours_of(values, centre, share=0.005, colour_map=diverging_map):
+def colours_of(values, centre, share=0.005, colour_map=centred_map):
     """A colour map and its ends for values about a centre, or from their least where that is None."""
     low, high = np.nanquantile(values, [share, 1 - share])
     if centre is None:
-        return {"cmap": even_map, "vmin": low, "vmax": high}
+        return {"cmap": one_sided_map, "vmin": low, "vmax": high}
     reach = max(high - centre, centre - low) or 1.0
     return {"cmap": colour_map, "vmin": centre - reach, "vmax": centre + reach}
 

@@ -10,7 +10,7 @@ from .style import drawn as shared, strong, weak, widths_of_forces
 azimuth, elevation = (
     np.radians(shared["look"][angle]) for angle in ("azimuth", "elevation")
 )  # from where the page shows a sample in the beginning
-light = np.array([0.25, 0.62, 0.74]) / np.linalg.norm([0.25, 0.62, 0.74])
+light = np.array(shared["light"])
 batch = 4096  # spheres that are drawn at a time
 wide = 12  # pixels; a sphere of a larger radius is drawn on its own
 fineness = 1.5  # pixels that are drawn for one that is shown

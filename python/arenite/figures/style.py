@@ -41,6 +41,7 @@ scale_maps = {
     "cyclic": cyclic_map,
     "grey": picture_map,
 }
+centred_map, one_sided_map = (scale_maps[drawn["colours"][scale]] for scale in ("centred", "one_sided"))
 
 crack_half, farthest_crack = drawn["crack"]["half"], drawn["crack"]["farthest"]
 

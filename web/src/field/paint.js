@@ -1,3 +1,4 @@
+import { drawn } from "../drawn.js";
 import { packed } from "../theme.js";
 import { cavityColours } from "./cavities.js";
 import { clips, makeScale, sorted } from "./scale.js";
@@ -25,7 +26,8 @@ export function scaleOf(result, state) {
   });
 }
 
-export const mapOf = (theme, scale) => (scale.centre === null ? theme.stress : theme.diverging);
+export const mapOf = (theme, scale) =>
+  theme.scales[scale.centre === null ? drawn().colours.one_sided : drawn().colours.centred];
 
 /** Colours of all nodes as RGBA bytes, row by row from the bottom. */
 export function paint(result, state, theme) {

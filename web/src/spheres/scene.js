@@ -1,3 +1,4 @@
+import { drawn } from "../drawn.js";
 import { programOf } from "../space/program.js";
 import { bytes } from "../theme.js";
 import { lineShaders, sphereShaders } from "./shaders.js";
@@ -114,6 +115,7 @@ export class SphereScene {
       perSide: [(2 * scale) / width, (2 * scale) / height],
       reach: [reach],
       glow: [glow],
+      light: drawn().light,
     };
     gl.disable(gl.BLEND);
     gl.enable(gl.SAMPLE_ALPHA_TO_COVERAGE);

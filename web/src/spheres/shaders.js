@@ -20,9 +20,10 @@ vec2 corner() {
 const shading = `#version 300 es
 precision highp float;
 uniform float reach, glow, pale;
+uniform vec3 light;
 out vec4 colour;
 void shade(vec3 normal, vec3 pure, float depth, float edge) {
-  float bright = 0.5 + 0.58 * max(dot(normal, normalize(vec3(0.25, 0.62, 0.74))), 0.0);
+  float bright = 0.5 + 0.58 * max(dot(normal, light), 0.0);
   float rim = mix(0.66, 1.0, smoothstep(0.0, 0.45, normal.z));
   colour = vec4(pure * min(1.0, bright) * rim + glow * (bright - 0.5) * rim, pale < 1.0 ? pale : edge);
   gl_FragDepth = 0.5 - 0.5 * depth / reach;

@@ -1,3 +1,4 @@
+import { drawn } from "../drawn.js";
 import { programOf } from "../space/program.js";
 import { bytes } from "../theme.js";
 import { fragment, vertex } from "./shaders.js";
@@ -58,6 +59,7 @@ export class VolumeScene {
       { width, height } = this.canvas;
     gl.viewport(0, 0, width, height);
     for (const [name, direction] of Object.entries(frame)) gl.uniform3f(this.#at(name), ...direction);
+    gl.uniform3f(this.#at("light"), ...drawn().light);
     gl.uniform3f(this.#at("kept"), ...kept);
     gl.uniform3f(this.#at("card"), ...bytes(card).map((v) => v / 255));
     gl.uniform2f(this.#at("middle"), ...middle);

@@ -13,7 +13,7 @@ precision highp int;
 precision highp sampler3D;
 uniform sampler3D seen, index, solid;
 uniform sampler2D table;
-uniform vec3 size, kept, right, up, towards, card;
+uniform vec3 size, kept, right, up, towards, card, light;
 uniform vec2 middle, canvas;
 uniform float perPixel, glow;
 uniform int finer;
@@ -41,12 +41,12 @@ bool isSeen(ivec3 cell) {
 
 vec3 shaded(ivec3 cell, vec3 place, vec3 face, bool isCut) {
   vec3 pure = texelFetch(table, ivec2(at(index, cell), 0), 0).rgb;
-  vec3 light = normalize(0.25 * right + 0.62 * up + 0.74 * towards);
-  if (isCut) return pure * mix(0.9, 1.0, clamp(1.3 * dot(face, light), 0.0, 1.0));
+  vec3 lit = light.x * right + light.y * up + light.z * towards;
+  if (isCut) return pure * mix(0.9, 1.0, clamp(1.3 * dot(face, lit), 0.0, 1.0));
   vec3 slope = slopeAt(place);
   vec3 normal = normalize(mix(face, -slope / max(length(slope), 1e-4), clamp(6.0 * length(slope), 0.0, 0.9)));
   float hollow = filling(place + 2.5 * normal) + 0.6 * filling(place + 5.0 * normal);
-  float bright = 0.58 + 0.5 * max(dot(normal, light), 0.0);
+  float bright = 0.58 + 0.5 * max(dot(normal, lit), 0.0);
   return pure * min(1.0, bright) * (1.0 - 0.26 * clamp(hollow, 0.0, 1.5)) + glow * (bright - 0.58);
 }
 
