@@ -55,11 +55,23 @@ async function walkList(page, list) {
   await list.selectOption(before);
 }
 
-/** Buttons are counted anew after each click, which may make or hide others. */
+/** Presses each button with the mouse, whose middle must be in sight and beneath nothing else. Buttons are counted anew
+    after each, which may make or hide others. */
 async function pressButtons(page) {
   const buttons = page.locator("button:visible:enabled:not([role=tab])");
-  for (let k = 0; k < (await buttons.count()); ++k) {
-    await buttons.nth(k).click({ timeout: 30000 }); // a busy machine draws few frames, and a click waits for two alike
+  for (let k = 0; ; ++k) {
+    // One question to the page for each: a locator's click asks a dozen, which takes longer than what the button does.
+    const found = await buttons.evaluateAll((all, at) => {
+      const one = all[at];
+      if (!one) return null;
+      one.scrollIntoView({ block: "center", inline: "center", behavior: "instant" });
+      const { x, y, width, height } = one.getBoundingClientRect(),
+        middle = [x + width / 2, y + height / 2];
+      return { middle, free: one.contains(document.elementFromPoint(...middle)), name: one.outerHTML.slice(0, 120) };
+    }, k);
+    if (!found) return;
+    assert.ok(found.free, `covered or out of sight: ${found.name}`);
+    await page.mouse.click(...found.middle);
     await settle(page);
   }
 }

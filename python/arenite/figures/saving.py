@@ -39,7 +39,8 @@ def save(figure, part, paths, width=None, **style):
         make_ticks_plain(canvas)
         # Laid out once and by one renderer: where things stand does not depend on the formats asked for.
         canvas.get_layout_engine().execute(canvas)
-        canvas.set_layout_engine("none")
+        # Not "none", which leaves an engine that does nothing and for which Matplotlib draws everything twice.
+        canvas.set_layout_engine(None)
         for path in map(pathlib.Path, [paths] if isinstance(paths, (str, pathlib.Path)) else paths):
             # Without a date the same result gives the same bytes.
             metadata = metadata_of(path.suffix[1:], figure.head)

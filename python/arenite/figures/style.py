@@ -84,6 +84,9 @@ def journal_style(**changes):
         "svg.hashsalt": "arenite",
         "axes.formatter.use_mathtext": True,
         "savefig.dpi": 600,
+        # Figures are laid out by those who make them, whatever the reader's settings say.
+        "figure.autolayout": False,
+        "figure.constrained_layout.use": False,
         "axes.prop_cycle": matplotlib.cycler(color=colours),
     }
     with matplotlib.rc_context({**settings, **changes}), _quiet("fontTools"):

@@ -1,6 +1,6 @@
 // What the tests of the page of spheres look at it by.
 import assert from "node:assert/strict";
-import { difference, painted, withBrowser } from "../browser.mjs";
+import { besideIt, difference, painted } from "../browser.mjs";
 import { rgb } from "../run.mjs";
 
 export const card = rgb("#ffffff"),
@@ -55,9 +55,9 @@ export const placesIn = (page) =>
 
 export const differs = (a, b) => difference(a, b) > 12;
 
-/** The same page in a browser of its own, with what it says of errors. */
+/** The same page in a context of its own, with what it says of errors. */
 export async function elsewhere(page, options, prepare, then) {
-  await withBrowser(options, async (context) => {
+  await besideIt(page, options, async (context) => {
     const other = await context.newPage(),
       errors = [];
     other.on("pageerror", (error) => errors.push(error.message));

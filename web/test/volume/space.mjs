@@ -1,6 +1,6 @@
 // The picture of a sample in space: turned, cut, saved, on a phone.
 import assert from "node:assert/strict";
-import { difference, painted, saved, withBrowser } from "../browser.mjs";
+import { besideIt, difference, painted, saved } from "../browser.mjs";
 import { becomes, rgb } from "../run.mjs";
 import { kind, set, get, boxOf } from "./looking.mjs";
 
@@ -25,9 +25,9 @@ const inSpace = (page) =>
     return found;
   });
 
-/** The same page in a browser of its own, with what it says of errors. */
+/** The same page in a context of its own, with what it says of errors. */
 async function elsewhere(page, options, prepare, then) {
-  await withBrowser(options, async (context) => {
+  await besideIt(page, options, async (context) => {
     const other = await context.newPage(),
       errors = [];
     other.on("pageerror", (error) => errors.push(error.message));
