@@ -1,4 +1,4 @@
-"""What files of other programs state of the side of their voxels: used, refused or told."""
+"""What files of other programs state of lengths, of voxels and of spheres: used, refused or told."""
 
 import json
 import warnings
@@ -141,3 +141,42 @@ def test_a_picture_of_hdf5_tells_the_side_of_its_pixels(tmp_path):
         warnings.simplefilter("error")
         arenite.read_phase_map(tmp_path / "a.h5", phases=PHASES, labels="none", dx="2.5 um")
     assert "states pixels of 2.5 um" in told(dx="5 um")
+
+
+BALLS = np.indices((2, 2, 3)).reshape(3, -1).T * 1.0
+
+
+def spheres(path, **more):
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        return arenite.read_packing(path, dimension="3", **more), " ".join(str(w.message) for w in told)
+
+
+@pytest.mark.parametrize("comment", ["# units: mm, N", "% Unit = mm", '# length unit: "mm"', "# a title\n# units: mm"])
+def test_a_unit_in_a_comment_above_a_table_is_that_of_its_lengths(tmp_path, comment):
+    rows = "".join(f"{x},{y},{z},0.5\n" for x, y, z in BALLS)
+    (tmp_path / "a.csv").write_text(comment + "\nx,y,z,radius\n" + rows)
+    packing, told = spheres(tmp_path / "a.csv")
+    assert np.allclose(packing.radius, 0.5e-3) and "assumed" not in told
+    (tmp_path / "b.csv").write_text(comment + "\nx [um],y [um],z [um],radius [um]\n" + rows)
+    assert np.allclose(spheres(tmp_path / "a.csv", length_unit="um")[0].radius, 0.5e-6)
+    assert np.allclose(spheres(tmp_path / "b.csv")[0].radius, 0.5e-6)  # what a column says is of that column
+
+
+def test_a_unit_that_is_none_of_length_leaves_metres_and_says_so(tmp_path):
+    rows = "".join(f"{x},{y},{z},0.5\n" for x, y, z in BALLS)
+    (tmp_path / "a.csv").write_text("# units: lj\nx,y,z,radius\n" + rows)
+    packing, told = spheres(tmp_path / "a.csv")
+    assert np.allclose(packing.radius, 0.5) and "m was assumed" in told
+
+
+def test_a_unit_that_ase_writes_beside_the_cell_is_that_of_lengths(tmp_path):
+    ase = pytest.importorskip("ase.io")
+    atoms = pytest.importorskip("ase").Atoms("X12", positions=BALLS, cell=[2, 2, 3], pbc=True)
+    atoms.arrays["radius"] = np.full(12, 0.5)
+    atoms.info["units"] = "mm"
+    ase.write(tmp_path / "a.xyz", atoms, format="extxyz")
+    packing, told = spheres(tmp_path / "a.xyz")
+    assert np.allclose(packing.radius, 0.5e-3) and np.allclose(packing.domain["size"], [2e-3, 2e-3, 3e-3])
+    assert "assumed" not in told
+    assert np.allclose(spheres(tmp_path / "a.xyz", length_unit="um")[0].radius, 0.5e-6)
