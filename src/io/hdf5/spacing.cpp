@@ -25,7 +25,7 @@ constexpr std::size_t axes_in_space = 3;
 using Sides = std::vector<double>;  // of axes as they are stored
 
 /// Of a length, m; nothing of what is no unit of one.
-std::optional<double> metres_of(const std::string& unit) {
+std::optional<double> metres_in(const std::string& unit) {
   try {
     if (!unit.empty()) return unit_factor(unit, dimension::length);
   } catch (const InputError&) {  // a unit of its own
@@ -43,7 +43,7 @@ std::optional<Sides> by_attribute(hid_t set, std::size_t rank, StatedSpacing& st
       const bool is_of_axes = sides.size() == rank || sides.size() == axes_in_space;
       if (!is_of_axes || !std::ranges::all_of(sides, [](double s) { return s > 0 && std::isfinite(s); })) continue;
       stated.by = name;
-      const auto factor = metres_of(unit);
+      const auto factor = metres_in(unit);
       if (!factor) return std::nullopt;
       sides.erase(sides.begin(), sides.end() - static_cast<std::ptrdiff_t>(rank));
       for (double& side : sides) side *= *factor;
@@ -56,7 +56,7 @@ std::optional<Sides> by_attribute(hid_t set, std::size_t rank, StatedSpacing& st
 double step_of(const Hdf5Handle& scale, const Bytes& bytes) {
   std::string unit = text_attribute(*scale, "units");
   if (unit.empty()) unit = text_attribute(*scale, "unit");
-  const auto factor = metres_of(unit);
+  const auto factor = metres_in(unit);
   const auto shape = shape_of(*scale);
   constexpr std::int64_t most = 1 << 20;
   if (!factor || shape.size() != 1 || shape[0] < 2 || shape[0] > most || !holds_numbers(*scale)) return 0;

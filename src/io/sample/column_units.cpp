@@ -14,7 +14,7 @@ namespace arenite::io {
 namespace {
 
 /// "# Units: mm" as "units" and "mm"; two empty texts for what is no comment of a name and what it is.
-std::pair<std::string, std::string_view> stated_in(std::string_view comment) {
+std::pair<std::string, std::string_view> statement_in(std::string_view comment) {
   comment = trimmed(comment);
   comment.remove_prefix(std::min(comment.find_first_not_of("#% \t"), comment.size()));
   const std::size_t at = comment.find_first_of(":=");
@@ -46,7 +46,7 @@ void take_units_of_comments(std::string_view text, const SampleOptions& options,
   for (std::string_view line; lines.next(line);) {
     if (trimmed(line).empty()) continue;
     if (trimmed(line).front() != '#' && trimmed(line).front() != '%') return;
-    const auto [name, words] = stated_in(line);
+    const auto [name, words] = statement_in(line);
     const bool of_all = name == "unit" || name == "units";
     if (!options.length_unit && (of_all || name == "length unit" || name == "length_unit"))
       give_unit(table, {"x", "y", "z", "radius", "r", "diameter", "d", "overlap"},
