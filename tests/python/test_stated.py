@@ -52,6 +52,22 @@ def test_what_hdf5_states_beside_cubes_and_units_is_refused_or_told(tmp_path):
     assert not found.has_length and "spacing" not in told
 
 
+def test_a_recipe_that_gives_the_side_of_voxels_takes_what_states_no_cubes(tmp_path):
+    hdf5(tmp_path / "long.h5", element_size_um=[5.0, 2.5, 2.5])
+    text = """
+    map = { file = "long.h5", dimension = 3, phases = "1=matrix,2=particle", labels = "none", SIDE }
+    [[loads]]
+    name = "pull"
+    method = "elements"
+    """
+    (tmp_path / "given.toml").write_text(text.replace("SIDE", 'dx = "3 um"'))
+    pulled = arenite.run(arenite.Recipe(tmp_path / "given.toml"), tmp_path / "out").voxels[-1]
+    assert pulled.numbers["map"]["dx_m"] == pytest.approx(3e-6)
+    (tmp_path / "stated.toml").write_text(text.replace(", SIDE", ""))
+    with pytest.raises(ValueError, match="no cubes"):
+        arenite.run(arenite.Recipe(tmp_path / "stated.toml"), tmp_path / "other")
+
+
 def test_a_side_that_is_given_counts_and_another_in_the_file_is_told(tmp_path):
     path = hdf5(tmp_path / "a.h5", element_size_um=[2.5] * 3)
     found, told = read(path, dx="4 um")
@@ -101,7 +117,7 @@ def test_a_stack_of_tiff_that_states_all_three_sides_needs_no_other(tmp_path):
 
 
 @pytest.mark.parametrize("kind, ending", [("vtkMetaImageWriter", "mha"), ("vtkNIFTIImageWriter", "nii")])
-def test_spacings_that_vtk_writes_are_sides_in_millimetres(tmp_path, kind, ending):
+def test_spacings_that_vtk_writes_are_sides_where_they_have_a_unit(tmp_path, kind, ending):
     vtk = pytest.importorskip("vtk")
     numpy_support = pytest.importorskip("vtk.util.numpy_support")
 
@@ -117,9 +133,14 @@ def test_spacings_that_vtk_writes_are_sides_in_millimetres(tmp_path, kind, endin
         return tmp_path / f"{name}.{ending}"
 
     even = written("even", (0.02, 0.02, 0.02))
-    assert read(even)[0].dx == pytest.approx(20e-6)
-    found, told = read(even, dx="30 um")
-    assert found.dx == pytest.approx(30e-6) and "states voxels of 20 um" in told and "as ITK does" not in told
+    found, told = read(even)
+    given, told_of_given = read(even, dx="30 um")
+    assert given.dx == pytest.approx(30e-6)
+    if ending == "nii":  # VTK writes no unit into it
+        assert not found.has_length and "0.02 without a unit" in told and "0.02" not in told_of_given
+    else:
+        assert found.dx == pytest.approx(20e-6) and "in mm, as ITK does" in told
+        assert "states voxels of 20 um" in told_of_given and "as ITK does" not in told_of_given
     with pytest.raises(ValueError, match="no cubes"):
         read(written("long", (0.02, 0.02, 0.03)))
 
