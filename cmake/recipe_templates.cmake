@@ -2,7 +2,7 @@
 # header recipe/templates.hpp.
 include(cmake/raw_literals.cmake)
 set(texts "")
-foreach(name biaxial cemented collapse composite cycles deposit drum film rock shear silo study)
+foreach(name biaxial cemented collapse composite cycles deposit drum film rock shear silo spheres study)
   set(toml ${CMAKE_SOURCE_DIR}/src/recipe/templates/${name}.toml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${toml})
   raw_literals(${toml} literals)

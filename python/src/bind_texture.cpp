@@ -7,6 +7,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "file_notes.hpp"
+#include "grains/texture/spheres/spheres.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/sample/sample.hpp"
@@ -30,26 +31,43 @@ const Keywords& grains_keywords() {
   return keywords;
 }
 
-texture::Options options_of(const std::vector<recipe::Given>& given) {
-  texture::Options options;
-  read_keywords(static_cast<Measuring&>(options), given);
-  return options;
+Measuring measuring_of(const std::vector<recipe::Given>& given) {
+  Measuring how;
+  read_keywords(how, given);
+  return how;
 }
 
-py::dict measured(const Packing& packing, bool curves, const std::optional<ArrayLike>& sigma_hyd,
-                  const py::kwargs& more) {
-  texture::Options options = options_of(measure_keywords().given("measure", more));
+Numbers numbers_of(const Packing& packing, const Measuring& how, bool curves, const std::optional<ArrayLike>& sigma_hyd,
+                   Call& call) {
+  texture::Options options;
+  static_cast<Measuring&>(options) = how;
   if (sigma_hyd) {
     options.grain_sigma_hyd = to_vector(*sigma_hyd, "sigma_hyd");
     if (options.grain_sigma_hyd.empty())
       throw InputError("sigma_hyd holds no value; give one per grain, or leave it out");
   }
+  return call.without_lock([&] { return texture::numbers(texture::measure(packing, options), curves); });
+}
+
+Numbers numbers_of(const PackingIn<3>& packing, const Measuring& how, bool /*curves*/,
+                   const std::optional<ArrayLike>& sigma_hyd, Call& call) {
+  if (sigma_hyd) throw InputError("sigma_hyd is of disks; spheres are measured by their contacts, so leave it out");
+  return call.without_lock([&] { return texture::measure_spheres(packing, texture::sphere_options(packing, how)); });
+}
+
+using EitherPacking = std::variant<const Packing*, const PackingIn<3>*>;
+
+py::dict measured(const EitherPacking& packing, bool curves, const std::optional<ArrayLike>& sigma_hyd,
+                  const py::kwargs& more) {
+  const Measuring how = measuring_of(measure_keywords().given("measure", more));
   Call call;
-  return to_arrays(call.without_lock([&] { return texture::numbers(texture::measure(packing, options), curves); }));
+  return to_arrays(
+      std::visit([&](const auto* any) { return numbers_of(*any, how, curves, sigma_hyd, call); }, packing));
 }
 
 py::dict per_grain(const Packing& packing, const py::kwargs& more) {
-  const auto options = options_of(grains_keywords().given("measure_grains", more));
+  texture::Options options;
+  static_cast<Measuring&>(options) = measuring_of(grains_keywords().given("measure_grains", more));
   Call call;
   auto t = call.without_lock([&] { return texture::measure(packing, options).per_grain; });
   py::dict d;
@@ -120,12 +138,14 @@ OnePacking packing_of_files(const Path& grains, const std::optional<Path>& conta
 void bind_texture(py::module_& m) {
   def_with_keywords(
       m, "measure", &measured, measure_keywords(),
-      "Fabric, forces and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a "
-      "grain), fabric, force, stress, sigma_norm, local_order, quality. Each statistic is {\"value\", "
+      "Fabric, forces and stress of disks or spheres as a dict: solid_fraction, rev, coordination (contacts of a "
+      "grain), fabric, force, stress, quality, and of disks sigma_norm and local_order; of spheres it is what their "
+      "own `measure` gives, and rattlers are judged by whether contacts have friction. Each statistic is {\"value\", "
       "\"error\"}, its standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers "
-      "have none (fractions, ratios, x over the mean of its set). Curves are arrays. `sigma_hyd`: measured "
-      "stress of every grain, Pa, NaN if not known, instead of that from its contacts.",
-      py::arg("packing"), py::kw_only(), py::arg("curves") = true, py::arg("sigma_hyd") = py::none());
+      "have none (fractions, ratios, x over the mean of its set). Curves are arrays. Of disks alone: `curves`, whether "
+      "those of distributions are there; `sigma_hyd`, measured stress of every grain, Pa, NaN if not known, instead of "
+      "that from its contacts.",
+      py::arg("packing").none(false), py::kw_only(), py::arg("curves") = true, py::arg("sigma_hyd") = py::none());
   def_with_keywords(
       m, "measure_grains", &per_grain, grains_keywords(),
       "Statistics of every grain, as writable arrays: considered, rattler (bool), contacts, sigma_hyd (Pa, "

@@ -128,6 +128,7 @@ const std::vector<RecipeTemplate>& recipe_templates() {
       {"collapse", "a column that runs out over a floor: front, deposit", templates::collapse},
       {"drum", "a rotating drum: slope of the free surface", templates::drum},
       {"rock", "bonded grains compressed until they fail: modulus, strength, cracks", templates::rock},
+      {"spheres", "spheres in space, pressed and sheared in a periodic cell: q/p, dilation", templates::spheres},
   };
   return list;
 }

@@ -39,6 +39,10 @@ io::PhaseMapOptions options_of(const recipe::MapSection& map) {
   return options;
 }
 
+io::StatedOf stated_of(const recipe::MapSection& map) {
+  return {.dataset = map.dataset, .is_stack = false, .dx_given = map.dx.has_value()};
+}
+
 /// Where cutting at necks finds many more grains, those that touch were counted as one.
 void tell_of_touching(const PhaseMap& map, const recipe::MapSection& section,
                       const std::function<void(const std::string&)>& notice) {
@@ -108,8 +112,10 @@ PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const 
   if (!map.box.empty()) refuse(map.file, "is a picture, and box is of a table of spheres; use crop");
   if (is_own_field(map)) return io::read_field(map.file).map;
   auto read = io::read_phase_map(map.file, options_of(map));
-  if (const auto pixel = map.dx ? std::nullopt : io::stated_pixel(map.file))
-    read.notes.push_back(io::told_pixel(*pixel));
+  if (const auto pixel = io::stated_pixel(map.file, stated_of(map))) {
+    const std::string told = map.dx ? io::told_other_side("pixel", *pixel, *map.dx) : io::told_pixel(*pixel);
+    if (!told.empty()) read.notes.push_back(told);
+  }
   for (const auto& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
   if (read.labelled) return std::move(read.map);
   if (map.labels == "none") io::label_alike(read.map);
@@ -129,7 +135,7 @@ FieldResult read_sample(const recipe::MapSection& map, const std::function<void(
 
 void require_length(const recipe::MapSection& map, const recipe::Load& load) {
   if (!load.failure || map.dx || is_own_field(map)) return;
-  const auto pixel = io::stated_pixel(map.file);
+  const auto pixel = io::stated_pixel(map.file, stated_of(map));
   throw crack_without_length(pixel ? io::told_pixel(*pixel) : side_to_give("pixel"));
 }
 

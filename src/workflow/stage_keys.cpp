@@ -75,7 +75,8 @@ void add_map_file(HashBuilder& hash, const char* name, const std::string& file, 
                   bool is_volume) {
   if (!is_volume || !io::are_slices(file)) hash.add(name, content_hash(io::read_file(file)));
   if (!is_volume) return;
-  const std::string elsewhere = io::hash_of_voxels_elsewhere(file, {.dataset = dataset});
+  // A side of voxels that is not stated well is refused, if at all, by what reads them.
+  const std::string elsewhere = io::hash_of_voxels_elsewhere(file, {.dataset = dataset, .dx_given = true});
   if (!elsewhere.empty()) hash.add("voxels", elsewhere);
 }
 

@@ -62,7 +62,9 @@ INSTANTIATE_TEST_SUITE_P(
         Template{
             "deposit",
             "--set populations.glass.count=60 --set container.width='\"40 mm\"' --set container.height='\"150 mm\"'",
-            "surface.top_m"}),
+            "surface.top_m"},
+        Template{"spheres", "--set packing.grains=120 --set variables.W='\"19 mm\"' --set variables.rate='\"10 1/s\"'",
+                 "peak.q_over_p"}),
     [](const auto& of) { return std::string(of.param.name); });
 
 TEST(Templates, OfADrumTakesTheShapesThatItNames) {
@@ -84,8 +86,8 @@ TEST(Templates, OfADrumTakesTheShapesThatItNames) {
 TEST(Templates, AreListed) {
   const auto listed = arenite("init");
   EXPECT_EQ(listed.status, 0);
-  for (const char* name :
-       {"biaxial", "shear", "silo", "collapse", "drum", "rock", "cycles", "deposit", "composite", "film", "study"})
+  for (const char* name : {"biaxial", "shear", "silo", "collapse", "drum", "rock", "cycles", "deposit", "spheres",
+                           "composite", "film", "study"})
     EXPECT_TRUE(contains(listed.out, name)) << name;
 }
 

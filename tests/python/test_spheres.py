@@ -72,6 +72,14 @@ def test_spheres_of_files_are_measured_as_our_own(tmp_path):
     measured = packing.measure()
     assert np.allclose(measured["stress"]["value"][0], [-4 * 8 * 1e-3 / 4e-3**3, 0, 0])
     assert np.isclose(measured["quality"]["friction_ratio_max"], 1 / 8)
+    told = arenite.measure(packing)
+    assert told["coordination"]["all"]["value"] == measured["coordination"]["all"]["value"] == 1
+    assert told.keys() == measured.keys() and np.allclose(told["stress"]["value"], measured["stress"]["value"])
+    assert "stress" not in arenite.measure(bare, border=0)
+    with pytest.raises(ValueError, match="sigma_hyd is of disks"):
+        arenite.measure(packing, sigma_hyd=np.zeros(8))
+    with pytest.raises(TypeError):
+        arenite.measure(None)
     page = tmp_path / "page.html"
     arenite.page(packing, page)
     assert page.stat().st_size > 10_000

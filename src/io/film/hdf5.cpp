@@ -162,7 +162,7 @@ class Hdf5Film : public KnownFilm {
 
   /// In the process of its own.
   std::string frames(hsize_t first, hsize_t count) const {
-    const auto file = open_hdf5_film(bytes_);
+    const auto file = open_foreign(bytes_);
     std::string stored;
     Hdf5Numbers(find_hdf5_film(file, bytes_, name_).set, name_, bytes_, most_).read(first, count, stored);
     return stored;
@@ -199,7 +199,7 @@ const FilmFormat films::hdf5{
           "pixels become numbers in that unit, degrees Celsius become kelvin"},
          {"_FillValue, missing_value, what lies beyond valid_min, valid_max or valid_range; chunks never written",
           "no numbers"},
-         {"names of axes (DIMENSION_LABELS, dimension scales of netCDF and xarray)",
+         {"names of axes (axistags of ilastik, DIMENSION_LABELS, dimension scales of netCDF and xarray)",
           "time, y, x and the like say which axis is which, whatever their order; names that are not known are told, "
           "two axes of one kind are refused"},
          {"groups nested more than 64 deep", "not searched"},

@@ -23,14 +23,6 @@ namespace {
 
 bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && holds_numbers(set); }
 
-/// A film may lie on a disk that only lets itself be read; the one that is written is locked already.
-Hdf5Handle without_lock() {
-  memory_properties();  // silences HDF5's own messages
-  auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  done(H5Pset_file_locking(*access, false, true));
-  return access;
-}
-
 /// Frames a second, 0 where none are stated: as a rate or an interval, in Hz and s or, in a text, in its own unit.
 constexpr std::initializer_list<const char*> names_of_rate{"frame_rate", "frame_rate_Hz", "fps"};
 
@@ -89,23 +81,11 @@ void take_axes(hid_t set, const Bytes& bytes, Hdf5Facts& facts) {
 
 }  // namespace
 
-bool holds_numbers(hid_t set) {
-  const auto type = own(H5Dget_type(set), H5Tclose);
-  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_FLOAT);
-}
-
 void refuse_damaged_hdf5(const Bytes& bytes) {
   refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again");
 }
 
 double most_in_chunk(const FilmChoice& choice) { return std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6); }
-
-Hdf5Handle open_hdf5_film(const Bytes& bytes) {
-  if (bytes->path() == nullptr) return open_in_memory(bytes->text(0, bytes->size()), bytes->name());
-  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *without_lock()), H5Fclose);
-  if (!id) refuse_damaged_hdf5(bytes);
-  return id;
-}
 
 FoundDataset find_hdf5_film(const Hdf5Handle& file, const Bytes& bytes, const std::string& name) {
   return find_dataset(*file, bytes->name(), name, can_be_film, "numbers over frames x height x width");
@@ -113,7 +93,7 @@ FoundDataset find_hdf5_film(const Hdf5Handle& file, const Bytes& bytes, const st
 
 Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   Hdf5Facts facts;
-  const auto file = open_hdf5_film(bytes);
+  const auto file = open_foreign(bytes);
   const auto [name, set] = find_hdf5_film(file, bytes, choice.dataset);
   facts.name = name;
   take_axes(*set, bytes, facts);

@@ -43,12 +43,8 @@ template <class Archive> void transfer(Archive& a, Hdf5Facts& facts) {
 /// Of the file's only film, or of the dataset that is chosen.
 Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice);
 
-/// The file, and the dataset of this name in it, or the only one that can be a film.
-Hdf5Handle open_hdf5_film(const Bytes& bytes);
+/// The dataset of this name in the file, or the only one that can be a film.
 FoundDataset find_hdf5_film(const Hdf5Handle& file, const Bytes& bytes, const std::string& name);
-
-/// Whether a dataset is of whole or floating numbers.
-bool holds_numbers(hid_t set);
 
 /// Numbers of a chunk, which is read as a whole.
 double most_in_chunk(const FilmChoice& choice);

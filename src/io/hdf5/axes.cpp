@@ -12,7 +12,6 @@
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "io/hdf5/handle.hpp"
 
 namespace arenite::io {
 namespace {
@@ -20,8 +19,7 @@ namespace {
 /// What netCDF writes as the name of a scale that only counts; its dimension is called as the scale is.
 constexpr std::string_view only_counts = "This is a netCDF dimension";
 
-std::string name_of_scale(hid_t set, const hobj_ref_t& reference) {
-  const auto scale = own(H5Rdereference2(set, H5P_DEFAULT, H5R_OBJECT, &reference), H5Oclose);
+std::string name_of_scale(const Hdf5Handle& scale) {
   if (!scale) return {};
   std::string name = text_attribute(*scale, "NAME");
   if (!name.empty() && !name.starts_with(only_counts)) return name;
@@ -31,23 +29,18 @@ std::string name_of_scale(hid_t set, const hobj_ref_t& reference) {
   return whole.substr(whole.rfind('/') + 1);
 }
 
-/// DIMENSION_LIST: for every axis the references to its scales.
-std::vector<std::string> names_of_scales(hid_t set, std::size_t rank) {
-  if (H5Aexists(set, "DIMENSION_LIST") <= 0) return {};
-  const auto list = own(H5Aopen(set, "DIMENSION_LIST", H5P_DEFAULT), H5Aclose);
-  const auto space = list ? own(H5Aget_space(*list), H5Sclose) : nullptr,
-             type = list ? own(H5Aget_type(*list), H5Tclose) : nullptr;
-  if (!space || !type || H5Sget_simple_extent_npoints(*space) != static_cast<hssize_t>(rank)) return {};
-  const auto item = H5Tget_class(*type) == H5T_VLEN ? own(H5Tget_super(*type), H5Tclose) : nullptr;
-  if (!item || H5Tequal(*item, H5T_STD_REF_OBJ) <= 0) return {};
-  const auto references = own(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
-  std::vector<hvl_t> scales(rank);
-  if (!references || H5Aread(*list, *references, scales.data()) < 0) return {};
-  std::vector<std::string> names;
-  for (const hvl_t& of_axis : scales)
-    names.push_back(of_axis.len == 0 ? "" : name_of_scale(set, *static_cast<const hobj_ref_t*>(of_axis.p)));
-  H5Dvlen_reclaim(*references, *space, H5P_DEFAULT, scales.data());
-  return names;
+/// JSON, {"axes": [{"key": "z", ..}, ..]} in the order in which the axes are stored; nothing unless there is one for
+/// each.
+std::vector<std::string> keys_of_tags(hid_t set, std::size_t rank) {
+  const std::string tags = text_attribute(set, "axistags");
+  std::vector<std::string> keys;
+  constexpr std::string_view key = "\"key\"";
+  for (std::size_t at = 0; (at = tags.find(key, at)) != std::string::npos;) {
+    const std::size_t from = tags.find('"', at += key.size()), to = tags.find('"', from + 1);
+    if (from == std::string::npos || to == std::string::npos) return {};
+    keys.push_back(tags.substr(from + 1, to - from - 1));
+  }
+  return keys.size() == rank ? keys : std::vector<std::string>{};
 }
 
 /// What an axis counts; in the order in which pictures are read.
@@ -70,14 +63,39 @@ std::optional<AxisRole> role_of_axis(const std::string& name) {
 
 }  // namespace
 
+/// DIMENSION_LIST: for every axis the references to its scales.
+std::vector<Hdf5Handle> scales_of_axes(hid_t set) {
+  const std::size_t rank = shape_of(set).size();
+  std::vector<Hdf5Handle> scales(rank);
+  if (H5Aexists(set, "DIMENSION_LIST") <= 0) return scales;
+  const auto list = own(H5Aopen(set, "DIMENSION_LIST", H5P_DEFAULT), H5Aclose);
+  const auto space = list ? own(H5Aget_space(*list), H5Sclose) : nullptr,
+             type = list ? own(H5Aget_type(*list), H5Tclose) : nullptr;
+  if (!space || !type || H5Sget_simple_extent_npoints(*space) != static_cast<hssize_t>(rank)) return scales;
+  const auto item = H5Tget_class(*type) == H5T_VLEN ? own(H5Tget_super(*type), H5Tclose) : nullptr;
+  if (!item || H5Tequal(*item, H5T_STD_REF_OBJ) <= 0) return scales;
+  const auto references = own(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
+  std::vector<hvl_t> of_axis(rank);
+  if (!references || H5Aread(*list, *references, of_axis.data()) < 0) return scales;
+  for (std::size_t axis = 0; axis < rank; ++axis)
+    if (of_axis[axis].len > 0)
+      scales[axis] =
+          own(H5Rdereference2(set, H5P_DEFAULT, H5R_OBJECT, static_cast<const hobj_ref_t*>(of_axis[axis].p)), H5Oclose);
+  H5Dvlen_reclaim(*references, *space, H5P_DEFAULT, of_axis.data());
+  return scales;
+}
+
 bool is_only_a_length(hid_t set) { return text_attribute(set, "NAME").starts_with(only_counts); }
 
 std::vector<std::string> names_of_axes(hid_t set) {
   const std::size_t rank = shape_of(set).size();
-  std::vector<std::string> names = texts_attribute(set, "DIMENSION_LABELS"), of_scales = names_of_scales(set, rank);
-  names.resize(rank), of_scales.resize(rank);
-  for (std::size_t axis = 0; axis < rank; ++axis)
-    if (names[axis].empty()) names[axis] = of_scales[axis];
+  std::vector<std::string> names = texts_attribute(set, "DIMENSION_LABELS"), of_tags = keys_of_tags(set, rank);
+  const std::vector<Hdf5Handle> scales = scales_of_axes(set);
+  names.resize(rank), of_tags.resize(rank);
+  for (std::size_t axis = 0; axis < rank; ++axis) {
+    if (names[axis].empty()) names[axis] = of_tags[axis];
+    if (names[axis].empty()) names[axis] = name_of_scale(scales[axis]);
+  }
   return names;
 }
 

@@ -5,10 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "io/hdf5/handle.hpp"
+
 namespace arenite::io {
 
-/// Names of a dataset's axes, in the order in which they are stored: HDF5's labels, or else the names of their
-/// dimension scales, as netCDF and xarray write them. Empty for an axis without one.
+/// The dimension scale of every axis of a dataset, the first where it has several; a null handle for an axis without.
+std::vector<Hdf5Handle> scales_of_axes(hid_t set);
+
+/// Names of a dataset's axes, in the order in which they are stored: HDF5's labels, or else the keys of vigra's and
+/// ilastik's axistags, or else the names of their dimension scales, as netCDF and xarray write them. Empty for an axis
+/// without one.
 std::vector<std::string> names_of_axes(hid_t set);
 
 /// Whether a dataset is a dimension of netCDF without values: only its length counts.

@@ -68,6 +68,21 @@ bool take_checksum(std::string& bytes) {
 
 }  // namespace
 
+Hdf5Handle open_foreign(const Bytes& bytes) {
+  if (bytes->path() == nullptr) return open_in_memory(bytes->text(0, bytes->size()), bytes->name());
+  memory_properties();  // silences HDF5's own messages
+  const auto access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  done(H5Pset_file_locking(*access, false, true));
+  auto id = own(H5Fopen(bytes->path()->c_str(), H5F_ACC_RDONLY, *access), H5Fclose);
+  if (!id) arenite::refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again");
+  return id;
+}
+
+bool holds_numbers(hid_t set) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_FLOAT);
+}
+
 FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::string& wanted, bool (*fits)(hid_t set),
                           const char* kind) {
   const auto open = [&](const std::string& name) { return own(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose); };

@@ -12,6 +12,13 @@
 // HDF5 trusts what it reads. Of files of other programs it is asked little, in a process of its own.
 namespace arenite::io {
 
+/// A file of anybody's, which is not locked: it may lie on a disk that only lets itself be read, and the one that is
+/// written is locked already. InputError for a damaged one.
+Hdf5Handle open_foreign(const Bytes& bytes);
+
+/// Whether a dataset is of whole or floating numbers.
+bool holds_numbers(hid_t set);
+
 /// The dataset of the name that is wanted, or without one the only dataset of the file that `fits` takes. InputError
 /// with those that can be meant where there is none or are several; `kind` is what it must be.
 struct FoundDataset {

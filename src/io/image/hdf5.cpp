@@ -108,13 +108,17 @@ Image decode_hdf5(const std::string& bytes, const std::string& file, const Image
 const PictureFormat pictures::hdf5{
     .name = "hdf5",
     .sentence = "HDF5",
-    .states = {{"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x slices"},
-               {"floating numbers", "taken where all are whole"},
-               {"scale_factor, add_offset of netCDF", "used"},
-               {"_FillValue, missing_value, what lies beyond valid_min, valid_max or valid_range",
-                "refused where a pixel holds it"},
-               {"names of axes (DIMENSION_LABELS, dimension scales of netCDF and xarray)",
-                "y, x and the like say which axis is which; slices that are not the first axis are refused"}},
+    .states =
+        {{"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x slices"},
+         {"floating numbers", "taken where all are whole"},
+         {"scale_factor, add_offset of netCDF", "used"},
+         {"_FillValue, missing_value, what lies beyond valid_min, valid_max or valid_range",
+          "refused where a pixel holds it"},
+         {"names of axes (axistags of ilastik, DIMENSION_LABELS, dimension scales of netCDF and xarray)",
+          "y, x and the like say which axis is which; slices that are not the first axis are refused"},
+         {"size of a pixel (element_size_um of ImageJ, Fiji, ilastik and the like; coordinates of the axes with a "
+          "unit of length)",
+          "told where dx is not given, or differs; pixels that are no squares are then refused"}},
     .has_datasets = true,
     .is = is_hdf5,
     .read = decode_hdf5};

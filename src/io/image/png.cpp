@@ -135,7 +135,8 @@ const PictureFormat pictures::png{
     .states = {{"orientation (EXIF)", "the picture is turned upright"},
                {"transparency (alpha, tRNS)", "accepted where every pixel is opaque, else refused"},
                {"size of a pixel (pHYs)",
-                "told where dx is not given; passed over where it is a usual one of screens and printers; pixels that "
+                "told where dx is not given, or differs; passed over where it is a usual one of screens and printers; "
+                "pixels that "
                 "are no squares are then refused"}},
 
     .is = [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"); },

@@ -145,18 +145,18 @@ std::vector<std::uint8_t> unpacked(const TiffBlock& block, unsigned bits) {
 
 }  // namespace
 
-const PictureFormat pictures::tiff{
-    .name = "tiff",
-    .sentence = "TIFF",
-    .states = {{"orientation", "the picture is turned upright"},
-               {"floating numbers", "taken where all are whole"},
-               {"more images than directories (ImageJ)", "refused"},
-               {"size of a pixel (resolution, unit of ImageJ)",
-                "told where dx is not given; passed over where it is a usual one of screens and printers; pixels that "
-                "are no squares are then refused"}},
+const PictureFormat pictures::tiff{.name = "tiff",
+                                   .sentence = "TIFF",
+                                   .states = {{"orientation", "the picture is turned upright"},
+                                              {"floating numbers", "taken where all are whole"},
+                                              {"more images than directories (ImageJ)", "refused"},
+                                              {"size of a pixel (resolution, unit of ImageJ)",
+                                               "told where dx is not given, or differs; passed over where it is a "
+                                               "usual one of screens and printers; pixels that "
+                                               "are no squares are then refused"}},
 
-    .is = is_tiff,
-    .read = decode_tiff};
+                                   .is = is_tiff,
+                                   .read = decode_tiff};
 
 void TiffSource::refuse(const std::string& message) const { throw InputError(file(), 0, message); }
 

@@ -5,9 +5,18 @@
 #include <vector>
 
 #include "core/problems.hpp"
+#include "core/units.hpp"
+#include "io/sample/sample.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
+
+/// The first unit of a dimension among words that state some, "mm, N"; empty without one.
+std::string unit_among(std::string_view words, Dimension dimension);
+
+/// Gives lengths and forces without a unit of their own that which a comment above the table states, "# units: mm, N"
+/// or "# length unit = mm", unless the options give another.
+void take_units_of_comments(std::string_view text, const SampleOptions& options, Table& table);
 
 /// Which of the columns of a table that have a dimension state their unit. In one file some may and others not: SI is
 /// then easily taken for what is in mm like the rest.

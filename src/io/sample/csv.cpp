@@ -84,6 +84,7 @@ std::optional<Table> rows_of(const Reading& reading, const std::string& columns,
                              std::span<const std::string_view> names, SnapshotsOfRows& snapshots) {
   Table table = read_table(reading.text, columns, reading.problems);
   if (table.columns.empty()) return std::nullopt;
+  take_units_of_comments(reading.text, reading.options, table);
   snapshots = SnapshotsOfRows(table, names);
   snapshots.keep(reading.snapshot, table);
   if (!knows_pixels(table, reading.options, reading.problems)) return std::nullopt;
@@ -217,7 +218,10 @@ const SampleFormat samples::csv{
         "table i,j,fn,ft[,nx,ny,overlap,x,y] or i,j,fx,fy (force on j is fn n + ft t, n from i to j); of "
         "spheres i,j,fx,fy,fz",
     .states =
-        {{"units (header or a row below it)", "taken; columns without any: m and N, told, or those given by options"},
+        {{"units (header, a row below it, or a comment above, \"# units: mm, N\")",
+          "taken, those of a comment where no option gives others; columns without any: m and N, told, or those given "
+          "by "
+          "options"},
          {"units of some columns only", "told; refused of components of one vector"},
          {"names of columns behind # or %", "the header, where the first row has as many numbers"},
          {"step, timestep, frame, time (columns)",

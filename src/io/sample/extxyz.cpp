@@ -10,7 +10,10 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "core/units.hpp"
+#include "io/sample/column_units.hpp"
 #include "io/sample/formats.hpp"
+#include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {
@@ -124,6 +127,7 @@ MaterialNames material_names(std::string_view stated) {
 RawGrains read_xyz(const Reading& reading) {
   RawGrains grains;
   Problems& problems = reading.problems;
+  SampleOptions options = reading.options;
   Table table;
   MaterialNames names;
   std::size_t frame = 0;
@@ -139,7 +143,11 @@ RawGrains read_xyz(const Reading& reading) {
       problems.add(lines.number(),
                    "the second line says no Properties that can be read; write extended XYZ with "
                    "Properties=pos:R:3:radius:R:1");
-    grains.stated = cell_in(pairs, reading.options.length(), lines.number(), problems);
+    for (const char* name : {"units", "unit", "length_unit"})
+      if (const auto at = pairs.find(name); at != pairs.end() && !options.length_unit)
+        if (const std::string unit = unit_among(at->second, dimension::length); !unit.empty())
+          options.length_unit = unit_factor(unit, dimension::length);
+    grains.stated = cell_in(pairs, options.length(), lines.number(), problems);
     if (const auto stated = pairs.find("materials"); stated != pairs.end()) names = material_names(stated->second);
     std::string_view line;
     while (std::ssize(table.rows) < count && lines.next(line))
@@ -160,10 +168,10 @@ RawGrains read_xyz(const Reading& reading) {
                    cells.size(), table.columns.size());
   if (problems.any()) return grains;
   const auto cell = grains.stated;
-  grains = grains_in(table, "Properties need pos:R:3 and radius:R:1", reading.options, problems);
+  grains = grains_in(table, "Properties need pos:R:3 and radius:R:1", options, problems);
   grains.stated = cell;
   grains.material_name = std::move(names);
-  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
   return grains;
 }
 
@@ -181,7 +189,8 @@ const SampleFormat samples::extxyz{
     .grains_are = "extended XYZ with pos and radius",
     .contacts_are = "a table, or where spheres overlap",
     .states =
-        {{"units", "none are in the file: m, told, or that given by options"},
+        {{"units (units=mm or length_unit=mm in the second line)",
+          "taken where no option gives another; without: m, told, or that given by options"},
          {"step, time",
           "grains are of the last frame, or of the one that the contacts are of; told where this cannot be known"},
          {"cell (Lattice, Origin), pbc",

@@ -101,9 +101,9 @@ std::optional<double> in_metres(double length, const std::string& unit) {
   return std::nullopt;
 }
 
-void take_side(VolumeFacts& facts, double side, const std::string& unit) {
+void take_side(VolumeFacts& facts, double side, const std::string& unit, bool dx_given) {
   facts.dx = in_metres(side, unit);
-  if (!facts.dx)
+  if (!facts.dx && !dx_given)
     facts.remarks.push_back(fmt::format("a spacing of {:g} {}, which is no known length, is left aside; give {}", side,
                                         unit.empty() ? "without a unit" : unit, option("dx")));
 }

@@ -38,8 +38,8 @@ Bytes opened_beside(const Bytes& bytes, const std::string& name);
 
 /// A length with its unit, m; nothing where the unit is none of length.
 std::optional<double> in_metres(double length, const std::string& unit);
-/// The side of a voxel in a unit, if it is one of length; otherwise it is left aside, with a remark.
-void take_side(VolumeFacts& facts, double side, const std::string& unit);
+/// The side of a voxel in a unit, if it is one of length; otherwise it is left aside, with a remark unless `dx_given`.
+void take_side(VolumeFacts& facts, double side, const std::string& unit, bool dx_given);
 
 /// Says that x, y and z are the file's own axes, where the vectors along them, one after the other, turn or mirror
 /// them. Throws InputError where they lean: voxels are no cubes then.

@@ -21,7 +21,7 @@ std::optional<NumberType> meta_type(const std::string& word) {
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
-VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice&) {
+VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice& choice) {
   const std::string& file = bytes->name();
   const TextHeader header = header_until_key(bytes, '=', "elementdatafile");
   const auto says = [&](const char* key) {
@@ -39,8 +39,9 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice&) {
   const std::string sides = header.has("elementspacing") ? "elementspacing" : "elementsize";
   if (header.has(sides)) {
     const auto spacing = header.numbers(sides, 3);
-    take_side(facts, side_of({spacing[0], spacing[1], spacing[2]}, file), "mm");
-    facts.remarks.push_back("its spacing is taken in mm, as ITK does; give " + option("dx") + " where it is not");
+    take_side(facts, side_of({spacing[0], spacing[1], spacing[2]}, file), "mm", choice.dx_given);
+    if (!choice.dx_given)
+      facts.remarks.push_back("its spacing is taken in mm, as ITK does; give " + option("dx") + " where it is not");
   }
   for (const char* key : {"transformmatrix", "rotation", "orientation"})
     if (header.has(key)) {
@@ -72,7 +73,8 @@ constinit const VolumeFormat volumes::meta_image{
     .name = "meta_image",
     .sentence = "MetaImage (.mhd, .mha)",
     .states = {{"DimSize", "used: x fastest, z slowest"},
-               {"ElementSpacing, without it ElementSize", "used in mm, and told; refused where voxels are no cubes"},
+               {"ElementSpacing, without it ElementSize",
+                "used in mm, and told; refused where voxels are no cubes; told where --dx is given and differs"},
                {"ElementDataFile", "read beside the header; a file for each slice is refused"},
                {"CompressedData, byte order, HeaderSize", "used"},
                {"Offset (Origin, Position)",

@@ -119,7 +119,7 @@ VolumePointer open_nifti(const Bytes& stored, const VolumeChoice& choice) {
       sized({header.get<std::int16_t>(42), header.get<std::int16_t>(44), header.get<std::int16_t>(46)}, file);
   const auto spacing = [&](std::size_t k) { return static_cast<double>(header.get<float>(76 + 4 * k)); };
   const std::array<double, 3> sides{spacing(1), spacing(2), spacing(3)};
-  take_side(facts, side_of(sides, file), nifti_unit(header.get<std::uint8_t>(123) & 7));
+  take_side(facts, side_of(sides, file), nifti_unit(header.get<std::uint8_t>(123) & 7), choice.dx_given);
   take_place(facts, header, sides, choice.dx_given, file);
   VoxelLayout layout{.type = *type, .big_endian = header.big_endian()};
   const auto slope = static_cast<double>(header.get<float>(112));
@@ -137,7 +137,9 @@ constinit const VolumeFormat volumes::nifti{
     .name = "nifti",
     .sentence = "NIfTI-1 (.nii, .nii.gz)",
     .states = {{"dim", "used: x fastest, z slowest; further axes of one are left aside, longer ones refused"},
-               {"pixdim, xyzt_units", "used; refused where voxels are no cubes, without a unit left aside, and told"},
+               {"pixdim, xyzt_units",
+                "used; refused where voxels are no cubes, without a unit left aside, and told; told where --dx is "
+                "given and differs"},
                {"scl_slope, scl_inter", "used; what is no whole number then is refused"},
                {"more numbers than dim says", "left aside, and told"},
                {"sform of another spacing than pixdim, or whose axes lean",

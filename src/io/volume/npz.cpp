@@ -62,7 +62,7 @@ Bytes array_of(const Bytes& bytes, const ZipMember& member) {
 }
 
 VolumePointer open_npz(const Bytes& bytes, const VolumeChoice& choice) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, beside;
   std::vector<Bytes> volumes;
   for (const ZipMember& member : members_of(bytes)) {
     const std::string name = member.name.substr(0, member.name.rfind(".npy"));
@@ -70,13 +70,18 @@ VolumePointer open_npz(const Bytes& bytes, const VolumeChoice& choice) {
     if (!choice.dataset.empty() && name != choice.dataset) continue;
     const Bytes array = array_of(bytes, member);
     if (!choice.dataset.empty() || numpy_header_in(array).shape.size() == 3) volumes.push_back(array);
+    else beside.push_back(name);
   }
   if (volumes.empty() && choice.dataset.empty())
     refuse(bytes->name(), "has no array of three dimensions; its arrays: {}", list_of(names));
   if (volumes.size() != 1)
     refuse(bytes->name(), "has {} arrays of three dimensions{}; choose one by {}: {}", volumes.size(),
            choice.dataset.empty() ? "" : " of that name", option("dataset"), list_of(names));
-  return open_numpy_array(volumes.front());
+  std::vector<std::string> remarks;
+  if (!beside.empty())
+    remarks.push_back(fmt::format("beside its volume it holds {}, which {} left aside", list_of(beside),
+                                  beside.size() > 1 ? "are" : "is"));
+  return open_numpy_array(volumes.front(), std::move(remarks));
 }
 
 }  // namespace
@@ -84,7 +89,8 @@ VolumePointer open_npz(const Bytes& bytes, const VolumeChoice& choice) {
 constinit const VolumeFormat volumes::npz{
     .name = "npz",
     .sentence = "NumPy (.npz)",
-    .states = {{"arrays", "the one of three dimensions, or that of --dataset; as .npy"}},
+    .states = {{"arrays", "the one of three dimensions, or that of --dataset; as .npy"},
+               {"arrays of other dimensions (a spacing, a side of voxels)", "left aside, and told: give --dx"}},
     .is = [](std::string_view head) { return head.starts_with("PK\3\4"); },
     .open = open_npz};
 

@@ -67,11 +67,11 @@ std::optional<Vec3> place_of(std::string text) {
 }
 
 /// The sides of a voxel by the unit of each axis, or by the one unit of all.
-void take_sides(VolumeFacts& facts, std::array<double, 3> side, const TextHeader& header) {
+void take_sides(VolumeFacts& facts, std::array<double, 3> side, const TextHeader& header, bool dx_given) {
   const std::vector<std::string> units =
       header.has("space units") ? quoted_words(header.word("space units")) : std::vector<std::string>{""};
   if (units.size() != 3 || (units[1] == units[0] && units[2] == units[0]))
-    return take_side(facts, side_of(side, header.file), units.empty() ? "" : units[0]);
+    return take_side(facts, side_of(side, header.file), units.empty() ? "" : units[0], dx_given);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto metres = in_metres(side[axis], units[axis]);
     if (!metres)
@@ -82,7 +82,7 @@ void take_sides(VolumeFacts& facts, std::array<double, 3> side, const TextHeader
   facts.dx = side_of(side, header.file);
 }
 
-VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
+VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice& choice) {
   const std::string& file = bytes->name();
   const TextHeader header = header_until_blank(bytes, ':', {"data file", "datafile"});
   const auto number = [&](const std::string& key, long long otherwise) {
@@ -102,7 +102,7 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
   if (along.size() == 3) tell_turned(facts, {along[0], along[1], along[2]}, "its space directions", file);
   if (header.has("space origin"))
     tell_origin(facts, place_of(header.word("space origin")).value_or(Vec3{}), "its space origin");
-  if (spacing.size() == 3) take_sides(facts, {spacing[0], spacing[1], spacing[2]}, header);
+  if (spacing.size() == 3) take_sides(facts, {spacing[0], spacing[1], spacing[2]}, header, choice.dx_given);
   if (const std::string order = header.has("endian") ? header.word("endian") : "little";
       order != "little" && order != "big")
     refuse(file, "has bytes in the order \"{}\"; save it with endian little or big", order);
@@ -128,7 +128,7 @@ constinit const VolumeFormat volumes::nrrd{
     .states = {{"sizes", "used: x fastest, z slowest"},
                {"spacings, space directions",
                 "used with the unit of each axis (space units), refused where voxels are no cubes or their axes lean; "
-                "without a unit left aside, and told"},
+                "without a unit left aside, and told; told where --dx is given and differs"},
                {"space directions that turn or mirror the axes", "left aside, and told"},
                {"space origin",
                 "left aside, and told where it is not 0: places are counted from the corner of the first voxel"},

@@ -2,13 +2,15 @@
 
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/problems.hpp"
 #include "io/disk/numpy_header.hpp"
 
 namespace arenite::io {
 
-VolumePointer open_numpy_array(const Bytes& bytes) {
+VolumePointer open_numpy_array(const Bytes& bytes, std::vector<std::string> remarks) {
   const std::string& file = bytes->name();
   const NumpyHeader array = numpy_header_in(bytes);
   if (array.shape.size() != 3)
@@ -17,7 +19,9 @@ VolumePointer open_numpy_array(const Bytes& bytes) {
   const auto [z, y, x] = std::tuple(array.shape[0], array.shape[1], array.shape[2]);
   VoxelLayout layout{.type = *array.number, .big_endian = array.big_endian, .start = array.start};
   if (array.fortran) layout.step = {z * y, z, 1};
-  return voxels_in(bytes, sized({x, y, z}, file), layout);
+  VolumeFacts facts = sized({x, y, z}, file);
+  facts.remarks = std::move(remarks);
+  return voxels_in(bytes, facts, layout);
 }
 
 }  // namespace arenite::io

@@ -1,5 +1,7 @@
 #include "io/volume/stack.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -26,14 +28,15 @@ namespace {
 /// Pictures of a stack, one upon the other: what else reads them as the frames of a film.
 class Slices : public VolumeSource {
  public:
-  Slices(std::unique_ptr<FilmSource> film, const std::string& file, bool elsewhere, std::optional<double> pixel)
+  Slices(std::unique_ptr<FilmSource> film, const std::string& file, bool elsewhere, const StatedVoxel& voxel,
+         bool dx_given)
       : film_(std::move(film)),
         file_(file) {
     const FilmInfo& info = film_->info();
     facts_ = sized({info.width, info.height, info.frames}, file);
     facts_.remarks = info.remarks;
     facts_.elsewhere = elsewhere;
-    if (pixel) facts_.remarks.push_back(told_pixel(*pixel));
+    take_side_of(voxel, dx_given);
   }
   const VolumeFacts& facts() const override { return facts_; }
   void read(int z, std::span<std::int32_t> layer) override {
@@ -48,6 +51,19 @@ class Slices : public VolumeSource {
   }
 
  private:
+  /// All three sides make the side of a voxel; a pixel by itself does not.
+  void take_side_of(const StatedVoxel& voxel, bool dx_given) {
+    if (voxel.pixel && voxel.spacing) facts_.dx = voxel.pixel;
+    if (dx_given) return;
+    if (facts_.dx)
+      facts_.remarks.push_back(
+          fmt::format("the file states pixels of {:.6g} um and pictures as far apart{}, which is taken as the side of "
+                      "a voxel; give {} where it is not",
+                      1e6 * *facts_.dx, voxel.by.empty() ? "" : " (" + voxel.by + ")", option("dx")));
+    else if (voxel.pixel) facts_.remarks.push_back(told_pixel(*voxel.pixel));
+    else if (!voxel.remark.empty()) facts_.remarks.push_back(voxel.remark);
+  }
+
   std::unique_ptr<FilmSource> film_;
   std::string file_;
   VolumeFacts facts_;
@@ -81,22 +97,22 @@ void refuse_other_picture(const std::filesystem::path& file) {
            is->sentence);
 }
 
-/// The side of a pixel that the first picture states, unless that of a voxel is given. Layers that are further apart,
-/// or nearer, make no cubes.
-std::optional<double> pixel_of_cubes(const Bytes& picture, const VolumeChoice& choice) {
-  if (choice.dx_given) return std::nullopt;
-  const auto [pixel, spacing] = stated_voxel(picture);
-  if (pixel && spacing && std::abs(*spacing / *pixel - 1) > 1e-3)
+/// What the first picture states. Layers that are further apart than pixels are wide, or nearer, make no cubes, unless
+/// the side of a voxel is given.
+StatedVoxel voxel_of_cubes(const Bytes& picture, const VolumeChoice& choice) {
+  StatedVoxel voxel = stated_voxel(picture, {choice.dataset, true, choice.dx_given});
+  if (!voxel.pixel || !voxel.spacing || std::abs(*voxel.spacing / *voxel.pixel - 1) <= 1e-3) return voxel;
+  if (!choice.dx_given)
     refuse(picture->name(),
            "states pixels of {:.6g} um and pictures {:.6g} um apart, so that its voxels are no cubes; resample it to "
            "cubes, or give the side of a voxel ({}) if they are cubes all the same",
-           1e6 * *pixel, 1e6 * *spacing, option("dx"));
-  return pixel;
+           1e6 * *voxel.pixel, 1e6 * *voxel.spacing, option("dx"));
+  return {};
 }
 
 VolumePointer open_stack(const Bytes& bytes, const VolumeChoice& choice) {
   return std::make_unique<Slices>(open_film(bytes, FilmChoice{.dataset = choice.dataset, .in_time = false}),
-                                  bytes->name(), false, pixel_of_cubes(bytes, choice));
+                                  bytes->name(), false, voxel_of_cubes(bytes, choice), choice.dx_given);
 }
 
 }  // namespace
@@ -106,7 +122,7 @@ VolumePointer open_slices(const std::filesystem::path& path, const VolumeChoice&
   refuse_other_picture(files.front());
   refuse_missing(files, path.string());
   return std::make_unique<Slices>(open_film(path, FilmChoice{.in_time = false}), path.string(), true,
-                                  pixel_of_cubes(open_bytes(files.front()), choice));
+                                  voxel_of_cubes(open_bytes(files.front()), choice), choice.dx_given);
 }
 
 constinit const VolumeFormat volumes::stack{
@@ -115,9 +131,17 @@ constinit const VolumeFormat volumes::stack{
     .states = {{"pictures",
                 "one upon the other: the first is z = 0, rows of a picture go along x, its columns along y"},
                {"numbers in the names of slices", "their order; refused where one is missing, which is named"},
-               {"size of a pixel (TIFF's resolution, unit of ImageJ, OME's PhysicalSize)", "told, not used: give --dx"},
+               {"size of a pixel (TIFF's resolution, unit of ImageJ, OME's PhysicalSize)",
+                "used together with the way from picture to picture, and told; alone told, not used: give --dx"},
                {"way from picture to picture (ImageJ's spacing, OME's PhysicalSizeZ)",
-                "refused where it is not that of a pixel, unless --dx is given"}},
+                "refused where it is not that of a pixel, unless --dx is given; told where that differs from both"},
+               {"element_size_um (HDF5 of ImageJ, Fiji, ilastik), voxel_size_um, spacing_mm and the like of a dataset",
+                "used in the unit of the name, z, y, x, and told; refused where voxels are no cubes; without a unit "
+                "told, not used"},
+               {"coordinates of the axes of a dataset (dimension scales of netCDF and xarray)",
+                "used where they lie at equal distances and state a unit of length, and told"},
+               {"axes of a dataset (axistags of ilastik, DIMENSION_LABELS, dimension scales)",
+                "say which axis is which, and are told where they turn the volume"}},
     .always = false,
     .is = [](std::string_view head) { return is_tiff(head) || is_hdf5(head); },
     .open = open_stack};

@@ -12,6 +12,7 @@
 #include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "io/image/pixel_size.hpp"
 
 namespace arenite::io {
 namespace {
@@ -88,6 +89,10 @@ ForeignVoxels read_voxel_map(const std::filesystem::path& path, const VoxelMapOp
   const std::string file = path.string();
   ForeignVoxels read;
   read.notes = facts.remarks;
+  if (options.dx && facts.dx) {
+    const std::string told = told_other_side("voxel", *facts.dx, *options.dx);
+    if (!told.empty()) read.notes.push_back(told);
+  }
   const std::optional<double> dx = options.dx ? options.dx : facts.dx;
   read.map = make_voxel_map(facts.width, facts.height, facts.depth, dx.value_or(1));
   read.map.has_length = dx.has_value();
