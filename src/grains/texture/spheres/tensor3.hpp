@@ -14,6 +14,8 @@ struct Tensor3 {
 Tensor3 operator*(double factor, const Tensor3& tensor);
 Tensor3 outer(Vec3 a, Vec3 b);
 double trace(const Tensor3& tensor);
+/// Of a stress, whose tension is positive: the mean of its principal values, compression positive.
+inline double pressure(const Tensor3& stress) { return -trace(stress) / 3; }
 /// {{xx, xy, xz}, {yx, ..}, ..}
 Numbers rows_of(const Tensor3& tensor);
 
