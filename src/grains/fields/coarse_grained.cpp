@@ -160,7 +160,7 @@ void add_bearing(const Container<D>& domain, const KernelIn<D>& kernel, Vec<D> s
     const Vec<D> shift = domain.way(image);
     for_points_in(fields.grid, low + shift, high + shift, [&](std::size_t k, Vec<D> point) {
       const Vec<D> from = point - start - shift, to = from - branch;
-      fields.contact_stress[k] += kernel.line_mean(from, to) * moment;
+      if (const double mean = kernel.line_mean(from, to); mean != 0) fields.contact_stress[k] += mean * moment;
       if (is_of_wall) fields.wall_force[k] += kernel.value(to) * force;
     });
   });

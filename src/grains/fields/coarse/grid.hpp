@@ -49,12 +49,17 @@ template <int D> struct GridIn {
 };
 using Grid = GridIn<2>;
 
-/// Calls `visit(cells)` from one corner of a block of cells up to the other, which is left out, along x first.
+/// Of the points of a block of cells whose cells along higher axes are these already.
 template <int axis, int D, class Visit>
-void for_cells_between(const Cells<D>& from, const Cells<D>& to, Cells<D>& at, const Visit& visit) {
-  for (at[axis] = from[axis]; at[axis] < to[axis]; ++at[axis])
-    if constexpr (axis == 0) visit(at);
-    else for_cells_between<axis - 1>(from, to, at, visit);
+void points_along(const GridIn<D>& grid, const Cells<D>& from, const Cells<D>& to, std::size_t row, Vec<D>& point,
+                  const Visit& visit) {
+  row *= static_cast<std::size_t>(grid.count[axis]);
+  for (std::int32_t cell = from[axis]; cell < to[axis]; ++cell) {
+    point[axis] = grid.place(axis, cell);
+    const std::size_t k = row + static_cast<std::size_t>(cell);
+    if constexpr (axis == 0) visit(k, point);
+    else points_along<axis - 1>(grid, from, to, k, point, visit);
+  }
 }
 
 /// Calls visit(index, point) for the points of a grid in an upright box.
@@ -66,9 +71,8 @@ template <int D, class Visit> void for_points_in(const GridIn<D>& grid, Vec<D> l
                                                   static_cast<double>(grid.count[axis])));
     });
   };
-  Cells<D> at;
-  for_cells_between<D - 1>(first(low), first(high), at,
-                           [&](const Cells<D>& cells) { visit(grid.index(cells), grid.point(cells)); });
+  Vec<D> point;
+  points_along<D - 1>(grid, first(low), first(high), 0, point, visit);
 }
 
 }  // namespace arenite::fields

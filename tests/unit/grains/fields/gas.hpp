@@ -1,8 +1,11 @@
 #pragma once
 #include "grains/fields/coarse_grained.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <vector>
@@ -99,8 +102,13 @@ template <class T> std::vector<double> components(const std::vector<T>& values, 
 
 /// Calls `visit` for the cells of every point of a grid.
 template <int D, class Visit> void for_every_point(const GridIn<D>& grid, const Visit& visit) {
-  Cells<D> at;
-  for_cells_between<D - 1>(Cells<D>{}, grid.count, at, visit);
+  for (std::size_t k = 0; k < grid.size(); ++k) {
+    auto rest = static_cast<std::int32_t>(k);
+    Cells<D> at;
+    for (int axis = 0; axis < D; rest /= grid.count[axis++]) at[axis] = rest % grid.count[axis];
+    ASSERT_EQ(grid.index(at), k);
+    visit(at);
+  }
 }
 
 /// Derivative along an axis of a periodic field whose shortest waves are empty, by its trigonometric interpolation:
