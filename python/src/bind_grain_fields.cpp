@@ -1,6 +1,8 @@
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cmath>
+#include <iterator>
 
 #include "arrays.hpp"
 #include "calls.hpp"
@@ -36,10 +38,11 @@ void declare(ParameterVisitor& v, SurfaceAsked& asked) {
            range::not_negative);
 }
 
-py::array_t<double> vectors(const std::vector<Vec2>& values, Shape shape) {
+template <int D> py::array_t<double> vectors(const std::vector<Vec<D>>& values, Shape shape) {
   std::vector<double> flat;
-  for (const Vec2& v : values) flat.insert(flat.end(), {v.x, v.y});
-  shape.push_back(2);
+  for (const Vec<D>& v : values)
+    for (int axis = 0; axis < D; ++axis) flat.push_back(v[axis]);
+  shape.push_back(D);
   return taken_over(std::move(flat), std::move(shape));
 }
 
@@ -47,6 +50,14 @@ py::array_t<double> tensors(const std::vector<Tensor2>& values, Shape shape) {
   std::vector<double> flat;
   for (const Tensor2& t : values) flat.insert(flat.end(), {t.xx, t.xy, t.yx, t.yy});
   shape.insert(shape.end(), {2, 2});
+  return taken_over(std::move(flat), std::move(shape));
+}
+
+py::array_t<double> tensors(const std::vector<fields::Tensor<3>>& values, Shape shape) {
+  std::vector<double> flat;
+  for (const fields::Tensor<3>& t : values)
+    for (const auto& row : t.at) flat.insert(flat.end(), std::begin(row), std::end(row));
+  shape.insert(shape.end(), {3, 3});
   return taken_over(std::move(flat), std::move(shape));
 }
 
@@ -58,7 +69,8 @@ const Keywords& coarse_keywords() {
   return keywords;
 }
 
-py::dict coarse_grained(const Packing& packing, const Quantity& width, const std::optional<Quantity>& spacing,
+template <int D>
+py::dict coarse_grained(const PackingIn<D>& packing, const Quantity& width, const std::optional<Quantity>& spacing,
                         const py::kwargs& more) {
   auto given = coarse_keywords().given("coarse_grained", more);
   given.push_back(coarse_keywords().given("width", width));
@@ -71,18 +83,19 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
         "the cell is tilted, and a packing does not know how fast: velocities across its sides are taken as of a cell "
         "at rest; give tilt_rate, shear rate times height (0 if it is at rest)");
   auto f = call.without_lock([&] { return fields::coarse_grain(packing, choice); });
-  const Shape shape{f.grid.rows, f.grid.columns};
+  Shape shape;
+  for (int axis = D - 1; axis >= 0; --axis) shape.push_back(f.grid.count[axis]);
   py::dict d;
-  d["x"] = taken_over(f.grid.lines_x());
-  d["y"] = taken_over(f.grid.lines_y());
+  constexpr std::array names{"x", "y", "z"};
+  for (int axis = 0; axis < D; ++axis) d[names[static_cast<std::size_t>(axis)]] = taken_over(f.grid.lines(axis));
   d["density"] = taken_over(std::move(f.density), shape);
   d["solid_fraction"] = taken_over(std::move(f.solid_fraction), shape);
-  d["velocity"] = vectors(f.velocity, shape);
+  d["velocity"] = vectors<D>(f.velocity, shape);
   d["velocity_gradient"] = tensors(f.velocity_gradient, shape);
   d["contact_stress"] = tensors(f.contact_stress, shape);
   d["kinetic_stress"] = tensors(f.kinetic_stress, shape);
   d["gradient_stress"] = tensors(f.gradient_stress, shape);
-  d["wall_force"] = vectors(f.wall_force, shape);
+  d["wall_force"] = vectors<D>(f.wall_force, shape);
   return d;
 }
 
@@ -107,7 +120,7 @@ py::dict nonaffine(const Packing& before, const Packing& after, const Quantity& 
   d["rotation"] = taken_over(std::move(local.rotation));
   d["d2min"] = taken_over(std::move(local.d2min));
   d["gradient"] = tensors({global.gradient}, {});
-  d["residual"] = vectors(global.residual, grains);
+  d["residual"] = vectors<2>(global.residual, grains);
   d["fluctuation"] = global.fluctuation;
   return d;
 }
@@ -205,11 +218,16 @@ void bind_grain_fields(py::module_& m) {
                     "the back to the front.",
                     py::arg("packing"));
   def_with_keywords(
-      m, "coarse_grained", &coarse_grained, coarse_keywords(),
+      m, "coarse_grained", &coarse_grained<2>, coarse_keywords(),
       "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: "
       "density (kg/m^3), solid_fraction, velocity (m/s), velocity_gradient (1/s), contact_stress, kinetic_stress of "
       "fluctuations about the mean flow, and gradient_stress of its own differences within the width (Pa, tension "
       "positive), wall_force (N/m^3).",
+      py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none());
+  def_with_keywords(
+      m, "coarse_grained", &coarse_grained<3>, coarse_keywords(),
+      "The same of spheres on points x, y, z: arrays of layers from the back, of rows from below; vectors and tensors "
+      "have three components along each last axis. At most 4 million points.",
       py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none());
   def_with_keywords(m, "nonaffine", &nonaffine, nonaffine_keywords(),
                     "Deformation between two states of the same grains: strain and rotation of every grain's "

@@ -61,11 +61,11 @@ py::dict layers_of(const StageResult& stage, const Snapshot& state) {
   const auto f = call.without_lock(
       [&] { return fields::fields_to_show(state.packing, fields::shear_rate_at(stage.history, state.time)); });
   py::dict d;
-  d["x"] = taken_over(f.grid.lines_x());
-  d["y"] = taken_over(f.grid.lines_y());
+  d["x"] = taken_over(f.grid.lines(0));
+  d["y"] = taken_over(f.grid.lines(1));
   for (const fields::CoarseLayer& layer : fields::coarse_layers())
     if (!layer.is_of_motion || fields::are_in_motion(f))
-      d[py::str(layer.name)] = taken_over(fields::values_of(layer, f), {f.grid.rows, f.grid.columns});
+      d[py::str(layer.name)] = taken_over(fields::values_of(layer, f), {f.grid.count.y, f.grid.count.x});
   return d;
 }
 

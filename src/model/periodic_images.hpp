@@ -23,26 +23,39 @@ struct ImageShift {
   Vec2 shift;
 };
 
-/// Calls `visit` for every image of a cell (the cell itself among them) in which something that fills `extent` overlaps
-/// `window`. Rows of a tilted cell are moved along x by `Domain::tilt` each (Lees-Edwards). Where nothing is periodic
-/// that is at most the thing itself.
+/// Of those images of a cell that are so many cells on along higher axes: along this axis and those below.
+template <int axis, int D, class Visit>
+void images_along(const Container<D>& domain, const Vec<D>& least, const Vec<D>& most, Cells<D>& cells,
+                  const Visit& visit) {
+  const double along = axis == 0 ? cells.y * domain.tilt : 0, period = domain.extent(axis);
+  const double low = least[axis] - along, high = most[axis] - along;
+  std::int32_t first = 0, last = low <= 0 && high >= 0 ? 0 : -1;
+  if (domain.periodic[axis]) {
+    first = static_cast<std::int32_t>(std::ceil(low / period));
+    last = static_cast<std::int32_t>(std::floor(high / period));
+  }
+  for (cells[axis] = first; cells[axis] <= last; ++cells[axis])
+    if constexpr (axis == 0) visit(cells);
+    else images_along<axis - 1>(domain, least, most, cells, visit);
+}
+
+/// Calls `visit(cells)` for every image of a cell (the cell itself among them) whose way from it (Container::way) lies
+/// between two vectors along each axis: what is as far away at least and at most from something in the cell. Rows of a
+/// tilted cell are moved along x by the tilt each (Lees-Edwards). Where nothing is periodic that is at most the cell.
+template <int D, class Visit>
+void for_images_between(const Container<D>& domain, const Vec<D>& least, const Vec<D>& most, const Visit& visit) {
+  Cells<D> cells;
+  images_along<D - 1>(domain, least, most, cells, visit);
+}
+
+/// Calls `visit` with the ImageShift of every image in which something that fills `extent` overlaps `window`.
 template <class Visit>
 void for_each_image(const Domain& domain, const geometry::Rectangle& extent, const geometry::Rectangle& window,
                     Visit&& visit) {
-  const auto range = [](double low, double high, double period, bool periodic) {
-    if (periodic)
-      return std::pair{static_cast<int>(std::ceil(low / period)), static_cast<int>(std::floor(high / period))};
-    return std::pair{0, low <= 0 && high >= 0 ? 0 : -1};
-  };
-  const auto [row0, row1] =
-      range(window.y_min - extent.y_max, window.y_max - extent.y_min, domain.height(), domain.periodic[1]);
-  for (int row = row0; row <= row1; ++row) {
-    const double along = row * domain.tilt;
-    const auto [column0, column1] = range(window.x_min - extent.x_max - along, window.x_max - extent.x_min - along,
-                                          domain.width(), domain.periodic[0]);
-    for (int column = column0; column <= column1; ++column)
-      visit(ImageShift{column, row, {column * domain.width() + along, row * domain.height()}});
-  }
+  for_images_between<2>(domain, {window.x_min - extent.x_max, window.y_min - extent.y_max},
+                        {window.x_max - extent.x_min, window.y_max - extent.y_min}, [&](const Cells<2>& image) {
+                          visit(ImageShift{image.x, image.y, domain.way(image)});
+                        });
 }
 
 /// Disks or spheres in their cell, followed by those of their periodic images that can be within a gap of one in it.

@@ -196,11 +196,9 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block) {
   if (!fields::has_fields(packing)) return {};
   const auto f = fields::fields_to_show(packing, shear_rate);
-  const auto& b = f.grid.bounds;
-  Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}},
-              {"columns", f.grid.columns},
-              {"rows", f.grid.rows},
-              {"width", b.width() / f.grid.columns}};
+  const auto& [low, high, count] = f.grid;
+  Numbers out{
+      {"bounds", {low.x, high.x, low.y, high.y}}, {"columns", count.x}, {"rows", count.y}, {"width", f.grid.step().x}};
   for (const fields::CoarseLayer& layer : fields::coarse_layers())
     if (layer.formula.empty() && (!layer.is_of_motion || fields::are_in_motion(f)))
       out[layer.name] = block.add_coarse(fields::values_of(layer, f), std::string(layer.unit));

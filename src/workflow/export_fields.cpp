@@ -1,10 +1,17 @@
 #include "workflow/export_fields.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
 
+#include "core/problems.hpp"
+#include "grains/fields/coarse_grained.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
+#include "grains/texture/spheres/tensor3.hpp"
+#include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "solid/stress/grains.hpp"
 #include "workflow/film/film_numbers.hpp"
@@ -24,7 +31,41 @@ void add_components(std::vector<io::GrainField>& fields, const std::vector<Tenso
   }
 }
 
+/// As VTK has a symmetric tensor: xx, yy, zz, xy, yz, xz.
+std::array<double, 6> components_of(const Tensor2& t) { return {t.xx, t.yy, 0, 0.5 * (t.xy + t.yx), 0, 0}; }
+std::array<double, 6> components_of(const texture::spheres::Tensor3& t) {
+  const auto mean = [&](int a, int b) { return 0.5 * (t.at[a][b] + t.at[b][a]); };
+  return {t.at[0][0], t.at[1][1], t.at[2][2], mean(0, 1), mean(1, 2), mean(0, 2)};
+}
+
 }  // namespace
+
+template <int D> io::GridFieldsIn<D> grid_fields(const PackingIn<D>& packing, double shear_rate) {
+  using texture::pressure;
+  if (!fields::has_fields(packing))
+    throw InputError("this result has no box of known size, which coarse-grained fields need");
+  constexpr std::array<double, 2> most{INFINITY, 1e6};
+  const double diameter = packing.grains.mean_diameter();
+  double spacing = 0.5 * diameter;
+  const auto points = [&] {
+    double count = 1;
+    for (int axis = 0; axis < D; ++axis) count *= std::ceil(packing.domain.extent(axis) / spacing);
+    return count;
+  };
+  while (points() > most[D - 2]) spacing *= 1.01;
+  const auto f = fields::coarse_fields(packing, shear_rate, std::max(diameter, spacing), spacing);
+  io::GridFieldsIn<D> g{f.grid.low, f.grid.step(), f.grid.count, {}, f.velocity, {}};
+  g.scalars = {
+      {"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};
+  for (std::size_t k = 0; k < f.grid.size(); ++k) {
+    const auto stress = components_of(f.stress(k));
+    g.stress.insert(g.stress.end(), stress.begin(), stress.end());
+    g.scalars.back().values.push_back(pressure(f.kinetic_stress[k]));
+  }
+  return g;
+}
+template io::GridFieldsIn<2> grid_fields(const Packing&, double);
+template io::GridFieldsIn<3> grid_fields(const PackingIn<3>&, double);
 
 std::vector<io::GrainField> derived_fields(const Packing& packing) {
   texture::Options options;

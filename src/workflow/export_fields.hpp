@@ -19,4 +19,9 @@ std::vector<io::GrainField> derived_fields(const FieldResult& result);
 /// What a film says of every contact beside its forces.
 std::vector<io::GrainField> fields_of_contacts(const FilmResult& film);
 
+/// Coarse-grained fields of a state over its whole box, smeared over a mean diameter, two points a diameter; of spheres
+/// fewer where they would be more than a million, and smeared over their spacing where that is wider. `shear_rate`,
+/// 1/s: of a cell that is sheared. Throws InputError without a box.
+template <int D> io::GridFieldsIn<D> grid_fields(const PackingIn<D>& packing, double shear_rate);
+
 }  // namespace arenite::workflow

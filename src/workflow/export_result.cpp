@@ -14,7 +14,6 @@
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/state_curves.hpp"
-#include "grains/texture/stress.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export_folder.hpp"
 #include "io/results/results.hpp"
@@ -45,26 +44,6 @@ std::vector<io::ExportCurves> curves_of(const fields::Test& test) {
   return found;
 }
 
-/// Smeared over a mean diameter, two points a diameter.
-io::GridFields grid_fields(const Packing& packing, double shear_rate) {
-  if (!fields::has_fields(packing))
-    throw InputError("this result has no box of known thickness, which coarse-grained fields need");
-  const double width = packing.grains.mean_diameter();
-  const auto f = fields::coarse_fields(packing, shear_rate, width, 0.5 * width);
-  const auto& b = f.grid.bounds;
-  io::GridFields g{b.x_min, b.y_min, b.width() / f.grid.columns, b.height() / f.grid.rows, f.grid.columns, f.grid.rows};
-  g.scalars = {
-      {"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};
-  for (std::size_t k = 0; k < f.grid.size(); ++k) {
-    const Tensor2 stress = f.stress(k);
-    g.velocity.push_back(f.velocity[k]);
-    g.stress_xx.push_back(stress.xx), g.stress_yy.push_back(stress.yy),
-        g.stress_xy.push_back(0.5 * (stress.xy + stress.yx));
-    g.scalars.back().values.push_back(texture::pressure(f.kinetic_stress[k]));
-  }
-  return g;
-}
-
 /// Gives a format the states of a loading: each at once, or all at the end, which are kept for that.
 class Loading {
  public:
@@ -91,9 +70,10 @@ class Loading {
     give(std::move(one), disks_, format_.of_snapshot, format_.of_loading);
   }
 
-  void add(const std::string& stage, SnapshotIn<3> snapshot, std::vector<io::GrainField> fields) {
-    give(next(spheres_, stage, std::move(snapshot), std::move(fields)), spheres_, format_.of_spheres,
-         format_.of_sphere_loading);
+  void add(const std::string& stage, SnapshotIn<3> snapshot, std::vector<io::GrainField> fields, double shear_rate) {
+    io::ExportSpheres one = next(spheres_, stage, std::move(snapshot), std::move(fields));
+    if (format_.wants_grid) one.grid = grid_fields(one.snapshot->packing, shear_rate);
+    give(std::move(one), spheres_, format_.of_spheres, format_.of_sphere_loading);
   }
 
   void add(const std::vector<io::ExportCurves>& of_stage) {
@@ -175,7 +155,8 @@ void add_spheres(const fs::path& file, const io::ExportFormat& format, bool last
   if (format.of_curves && !last_only) loading.add(curves_of(stage));
   for (const auto& snapshot : stage.snapshots)
     if (!loading.has(snapshot.time) && (!last_only || &snapshot == &stage.snapshots.back()))
-      loading.add(stage.name, snapshot, derived_fields(snapshot.packing));
+      loading.add(stage.name, snapshot, derived_fields(snapshot.packing),
+                  fields::shear_rate_at(stage.history, snapshot.time));
 }
 
 /// Writes a result on nodes or voxels; false where the format has no way to, which is refused where nothing else is

@@ -145,16 +145,20 @@ write_dump all custom back.dump id x y z modify format float %.17g sort id
 TEST(Spheres, AreReadByTheProgramsThatTheirFilesAreFor) {
   const TemporaryFolder folder;
   const auto out = (folder / "out").string(), vtk = (folder / "vtk").string(), xyz = (folder / "xyz").string(),
-             nc = (folder / "nc").string();
+             nc = (folder / "nc").string(), fields = (folder / "fields").string();
   ASSERT_EQ(arenite("run " + written(folder, test::small_spheres) + " --quiet --out " + out).status, 0);
   ASSERT_EQ(arenite("export " + out + " --to vtk --out " + vtk).status, 0);
   ASSERT_EQ(arenite("export " + out + " --to extxyz --out " + xyz).status, 0);
   ASSERT_EQ(arenite("export " + out + " --to netcdf --out " + nc).status, 0);
+  ASSERT_EQ(arenite("export " + out + " --to fields --out " + fields).status, 0);
   std::ofstream(folder / "compare.py") << compare;
   const auto read = test::shell("/usr/bin/python3 " + (folder / "compare.py").string() + " " + out + " " + vtk + " " +
                                 xyz + " " + nc);
   EXPECT_EQ(read.status, 0) << read.err;
-  const auto refused = arenite("export " + out + " --to fields --out " + (folder / "nc").string());
+  const auto of_fields = test::shell(
+      "/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_fields_in_space.py " + out + " " + fields);
+  EXPECT_EQ(of_fields.status, 0) << of_fields.err;
+  const auto refused = arenite("export " + out + " --to npy --out " + nc);
   EXPECT_EQ(refused.status, 2);
   EXPECT_TRUE(test::contains(refused.err, "vtk")) << refused.err;
 }

@@ -43,10 +43,13 @@ def typed(text):
 
 
 def signatures(docstring):
-    """Those of a function, one for each kind of arguments that it takes."""
+    """Those of a function, one for each kind of arguments that it takes: numbered by pybind11, or where keywords are
+    declared keys each at the head of its own docstring."""
     lines = docstring.splitlines()
+    name = lines[0].split("(")[0]
     several = [found[1] for line in lines if (found := re.fullmatch(r"\d+\. (\w+\(.*)", line))]
-    return several if lines[1:2] == ["Overloaded function."] else lines[:1]
+    own = [line for line in lines[1:] if name and re.fullmatch(rf"{name}\(.*\) -> .*", line)]
+    return several if lines[1:2] == ["Overloaded function."] else [lines[0], *own]
 
 
 def parts(docstring):

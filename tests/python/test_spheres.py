@@ -52,10 +52,38 @@ def test_a_sample_of_spheres_is_arrays_of_three_components(tmp_path):
     stress = -np.einsum("ca,cb->ab", state.force, branch) / size.prod()
     assert np.allclose(stress, compressed.numbers["stress"]["value"], rtol=1e-6, atol=1)
     assert np.allclose(np.diag(stress), -10e3, rtol=5e-3)
+    field = arenite.coarse_grained(state, "4 mm", "2 mm")
+    mean = field["contact_stress"].mean(axis=(0, 1, 2))
+    assert np.allclose(mean, stress, atol=1e-3 * 10e3)  # a kernel's radius is seven spacings
     again = arenite.open(str(tmp_path / "out"))
     assert np.array_equal(again.spheres[-1].states[-1].position, state.position)
     assert state.measure()["coordination"]["all"]["value"] == compressed.numbers["coordination"]["all"]["value"]
     assert compressed.history["kinetic"].shape == compressed.history["time"].shape
+
+
+def test_coarse_grained_fields_of_spheres_have_layers_rows_and_columns(tmp_path):
+    (tmp_path / "recipe.toml").write_text(RECIPE.replace('depth = "20 mm"', 'depth = "30 mm"'))
+    packing = arenite.pack(arenite.Recipe(tmp_path / "recipe.toml"))
+    field = arenite.coarse_grained(packing, "4 mm", spacing="2 mm")
+    shape = tuple(len(field[name]) for name in "zyx")
+    assert field["density"].shape == field["solid_fraction"].shape == shape and shape[0] > shape[2]
+    assert field["velocity"].shape == field["wall_force"].shape == (*shape, 3)
+    for name in ("velocity_gradient", "contact_stress", "kinetic_stress", "gradient_stress"):
+        assert field[name].shape == (*shape, 3, 3)
+    size = np.array(packing.domain["size"])
+    for name, length in zip("xyz", size):
+        assert np.allclose(np.diff(field[name]), length / len(field[name]))
+    fraction = (4 / 3 * np.pi * packing.radius**3).sum() / size.prod()
+    assert field["solid_fraction"].mean() == pytest.approx(fraction, rel=1e-4)
+    assert np.allclose(field["density"], 2500 * field["solid_fraction"], rtol=1e-9)
+    # The layer of a point is that of its z: a sphere is nearest to where it is smeared out to.
+    sharp = arenite.coarse_grained(packing, "0.5 mm")
+    layer, row, column = np.unravel_index(sharp["density"].argmax(), sharp["density"].shape)
+    apart = packing.position - [sharp["x"][column], sharp["y"][row], sharp["z"][layer]]
+    apart -= size * np.round(apart / size)
+    assert np.linalg.norm(apart, axis=1).min() < 0.5e-3
+    with pytest.raises(ValueError, match="at most 4e.06 fit; give a spacing above"):
+        arenite.coarse_grained(packing, "4 mm", "1 um")
 
 
 def test_spheres_of_files_are_measured_as_our_own(tmp_path):

@@ -1,102 +1,80 @@
 #include "grains/fields/coarse_grained.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
+#include <span>
+#include <string>
 
 #include "core/problems.hpp"
+#include "geometry/ball.hpp"
 #include "geometry/cell_grid.hpp"
-#include "grains/texture/view.hpp"
+#include "grains/texture/spheres/sphere_view.hpp"
 #include "model/periodic_images.hpp"
 
 namespace arenite::fields {
 namespace {
 
+using arenite::outer;
 using statistics::unknown;
-using std::numbers::pi;
+using texture::spheres::outer;
+using texture::spheres::Tensor3;
 
-constexpr double gaussian_reach = 8.5;             // exp(-8.5^2/2) = 2.1e-16
-constexpr double lucy_reach = 3.3466401061363023;  // sqrt(56/5): <x^2> = 5 c^2/56
-
-/// Integral from 0 to t of 1 - 6 q^2 + 8 q^3 - 3 q^4 = (1 + 3 q)(1 - q)^3 with q^2 = p^2 + t^2: lengths in c.
-double lucy_primitive(double p, double t) {
-  const double p2 = p * p, t2 = t * t, r = std::sqrt(p2 + t2);
-  const double squares = t * (p2 + t2 / 3), fourths = t * (p2 * p2 + t2 * (2 * p2 / 3 + t2 / 5));
-  const double cubes = t * r * (r * r / 4 + 3 * p2 / 8) + (p2 > 0 ? 3 * p2 * p2 / 8 * std::asinh(t / p) : 0.0);
-  return t - 6 * squares + 8 * cubes - 3 * fourths;
-}
-
-/// Integral of Lucy's function along the line at distance p from the centre, from t0 to t1; zero outside the unit
-/// circle.
-double lucy_along(double p, double t0, double t1) {
-  if (p >= 1) return 0;
-  const double chord = std::sqrt(1 - p * p);
-  const double from = std::clamp(t0, -chord, chord), to = std::clamp(t1, -chord, chord);
-  return from < to ? 5 / pi * (lucy_primitive(p, to) - lucy_primitive(p, from)) : 0.0;
-}
-
-/// The same of the Gaussian of width 1, zero where the line lies beyond its reach.
-double gaussian_along(double p, double t0, double t1) {
-  if (p > gaussian_reach || t0 > gaussian_reach || t1 < -gaussian_reach) return 0;
-  constexpr double root = std::numbers::sqrt2 / 2;
-  return std::exp(-0.5 * p * p) / std::sqrt(8 * pi) * (std::erf(root * t1) - std::erf(root * t0));
-}
-
-/// Calls visit(index, point) for the points of a grid in a rectangle.
-template <class Visit> void for_points_in(const Grid& grid, const geometry::Rectangle& part, Visit&& visit) {
-  const auto first = [](double low, double origin, double step, int count) {
-    return static_cast<int>(std::clamp(std::ceil((low - origin) / step - 0.5), 0.0, static_cast<double>(count)));
-  };
-  const double dx = grid.bounds.width() / grid.columns, dy = grid.bounds.height() / grid.rows;
-  const int column0 = first(part.x_min, grid.bounds.x_min, dx, grid.columns),
-            column1 = first(part.x_max, grid.bounds.x_min, dx, grid.columns);
-  const int row0 = first(part.y_min, grid.bounds.y_min, dy, grid.rows),
-            row1 = first(part.y_max, grid.bounds.y_min, dy, grid.rows);
-  for (int row = row0; row < row1; ++row)
-    for (int column = column0; column < column1; ++column)
-      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column),
-            grid.point(column, row));
-}
+/// What masses and forces are counted by: disks by their length.
+double length_through(const Domain& domain) { return domain.thickness; }
+double length_through(const Container<3>& /*domain*/) { return 1; }
 
 /// How fast an image of the cell moves against the cell itself.
-Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const ImageShift& image) {
-  const auto rate = [&](int low, int high) { return domain.wall[high].velocity - domain.wall[low].velocity; };
-  const double wider = domain.periodic[0] ? rate(left, right) : 0, higher = domain.periodic[1] ? rate(bottom, top) : 0;
-  const double tilting = choice.tilt_rate.value_or(domain.periodic[0] ? domain.tilt * wider / domain.width() : 0);
-  return {image.columns * wider + image.rows * tilting, image.rows * higher};
+template <int D>
+Vec<D> image_velocity(const Container<D>& domain, const CoarseGraining& choice, const Cells<D>& image) {
+  const Vec<D> growth = by_axis<D>([&](int axis) {
+    return domain.periodic[axis] ? domain.wall[2 * axis + 1].velocity - domain.wall[2 * axis].velocity : 0;
+  });
+  const double tilting = choice.tilt_rate.value_or(domain.periodic[0] ? domain.tilt * growth.x / domain.extent(0) : 0);
+  Vec<D> velocity = by_axis<D>([&](int axis) { return image[axis] * growth[axis]; });
+  velocity.x += image.y * tilting;
+  return velocity;
+}
+
+/// As far to every side.
+template <int D> Vec<D> aside(double reach) {
+  return by_axis<D>([&](int) { return reach; });
 }
 
 /// Calls visit(index, vector from the grain's image to the point, the image's velocity) for every grid point that the
 /// kernel reaches.
-template <class Visit>
-void for_points_near(const Packing& packing, std::size_t g, const Grid& grid, const CoarseGraining& choice,
+template <int D, class Visit>
+void for_points_near(const PackingIn<D>& packing, std::size_t g, const GridIn<D>& grid, const CoarseGraining& choice,
                      double reach, Visit&& visit) {
-  const Grains& grains = packing.grains;
-  const geometry::Rectangle extent = geometry::square_about(grains.position[g], reach);
-  for_each_image(packing.domain, extent, grid.bounds, [&](const ImageShift& image) {
-    const Vec2 centre = grains.position[g] + image.shift;
-    const Vec2 velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
-    for_points_in(grid, extent + image.shift, [&](std::size_t k, Vec2 point) {
-      if (const Vec2 d = point - centre; dot(d, d) < reach * reach) visit(k, d, velocity);
+  const GrainsIn<D>& grains = packing.grains;
+  const Container<D>& domain = packing.domain;
+  const Vec<D> low = grains.position[g] - aside<D>(reach), high = grains.position[g] + aside<D>(reach);
+  for_images_between(domain, grid.low - high, grid.high - low, [&](const Cells<D>& image) {
+    const Vec<D> shift = domain.way(image), centre = grains.position[g] + shift;
+    const Vec<D> velocity = grains.velocity[g] + image_velocity(domain, choice, image);
+    for_points_in(grid, low + shift, high + shift, [&](std::size_t k, Vec<D> point) {
+      if (const Vec<D> d = point - centre; dot(d, d) < reach * reach) visit(k, d, velocity);
     });
   });
 }
 
 /// Density, momentum, and the velocity with its gradient, grad V = (grad p - V (x) grad rho)/rho.
-void add_grains(const Packing& packing, const CoarseGraining& choice, const Kernel& kernel, CoarseFields& fields) {
-  const Grains& grains = packing.grains;
-  const double length = packing.domain.thickness;
-  std::vector<Vec2> density_gradient(fields.grid.size());
-  std::vector<Tensor2> momentum_gradient(fields.grid.size());
+template <int D>
+void add_grains(const PackingIn<D>& packing, const CoarseGraining& choice, const KernelIn<D>& kernel,
+                CoarseFieldsIn<D>& fields) {
+  const GrainsIn<D>& grains = packing.grains;
+  const double length = length_through(packing.domain);
+  std::vector<Vec<D>> density_gradient(fields.grid.size());
+  std::vector<Tensor<D>> momentum_gradient(fields.grid.size());
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double mass = mass_of(packing, g) / length, area = pi * grains.radius[g] * grains.radius[g];
-    for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec2 d, Vec2 velocity) {
+    const double mass = mass_of(packing, g) / length, volume = geometry::volume_of_ball<D>(grains.radius[g]);
+    for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec<D> d, Vec<D> velocity) {
       const double phi = kernel.value(d);
-      const Vec2 slope = mass * kernel.gradient(d);
+      const Vec<D> slope = mass * kernel.gradient(d);
       fields.density[k] += mass * phi;
-      fields.solid_fraction[k] += area * phi;
+      fields.solid_fraction[k] += volume * phi;
       fields.momentum[k] += mass * phi * velocity;
       density_gradient[k] += slope;
       momentum_gradient[k] += outer(velocity, slope);
@@ -104,28 +82,41 @@ void add_grains(const Packing& packing, const CoarseGraining& choice, const Kern
   }
   for (std::size_t k = 0; k < fields.grid.size(); ++k) {
     if (!(fields.density[k] > 0)) continue;
-    const Vec2 v = fields.velocity[k] = fields.momentum[k] / fields.density[k];
-    Tensor2 slope = momentum_gradient[k];
+    const Vec<D> v = fields.velocity[k] = fields.momentum[k] / fields.density[k];
+    Tensor<D> slope = momentum_gradient[k];
     slope += -1 * outer(v, density_gradient[k]);
     fields.velocity_gradient[k] = 1 / fields.density[k] * slope;
   }
 }
 
 /// V at the places of the grains, m/s.
-std::vector<Vec2> velocity_at_grains(const Packing& packing, const CoarseGraining& choice, const Kernel& kernel) {
-  const Grains& grains = packing.grains;
-  std::vector<Vec2> momentum(grains.size());
+template <int D>
+std::vector<Vec<D>> velocity_at_grains(const PackingIn<D>& packing, const CoarseGraining& choice,
+                                       const KernelIn<D>& kernel) {
+  const GrainsIn<D>& grains = packing.grains;
+  const Container<D>& domain = packing.domain;
+  std::vector<Vec<D>> momentum(grains.size());
   std::vector<double> density(grains.size(), 0.0);
   if (grains.size() == 0) return momentum;
-  const geometry::PointGrid near(grains.position, kernel.reach());
-  const geometry::Rectangle around = geometry::bounds(grains.position);
+  const double reach = kernel.reach();
+  Vec<D> low = grains.position[0], high = low;
+  for (const Vec<D>& p : grains.position) {
+    low = by_axis<D>([&](int axis) { return std::min(low[axis], p[axis]); });
+    high = by_axis<D>([&](int axis) { return std::max(high[axis], p[axis]); });
+  }
+  constexpr std::array most_cells{4096.0, 256.0};  // along a side: 2^24 in all
+  const geometry::CellGrid<D> cells({low, high - low, {}}, reach, most_cells[D - 2]);
+  const geometry::SortedCells near(cells.size(), 0, grains.size(),
+                                   [&](std::size_t g) { return cells.cell(grains.position[g]); });
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const geometry::Rectangle extent = geometry::square_about(grains.position[g], kernel.reach());
-    for_each_image(packing.domain, extent, around, [&](const ImageShift& image) {
-      const Vec2 centre = grains.position[g] + image.shift;
-      const Vec2 velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
-      near.within(centre, kernel.reach(), [&](std::int32_t other, double) {
-        const double weight = mass_of(packing, g) * kernel.value(grains.position[other] - centre);
+    const Vec<D> from = grains.position[g] - aside<D>(reach), to = grains.position[g] + aside<D>(reach);
+    for_images_between(domain, low - to, high - from, [&](const Cells<D>& image) {
+      const Vec<D> centre = grains.position[g] + domain.way(image);
+      const Vec<D> velocity = grains.velocity[g] + image_velocity(domain, choice, image);
+      near.for_near(cells, centre, [&](std::int32_t other) {
+        const Vec<D> away = grains.position[other] - centre;
+        if (dot(away, away) > reach * reach) return;
+        const double weight = mass_of(packing, g) * kernel.value(away);
         density[other] += weight;
         momentum[other] += weight * velocity;
       });
@@ -138,16 +129,17 @@ std::vector<Vec2> velocity_at_grains(const Packing& packing, const CoarseGrainin
 
 /// In a second pass, when V is known everywhere: a difference of two large sums would lose the fluctuation of a fast
 /// flow.
-void add_kinetic_stress(const Packing& packing, const CoarseGraining& choice, const Kernel& kernel,
-                        CoarseFields& fields) {
-  const std::vector<Vec2> around = velocity_at_grains(packing, choice, kernel);
+template <int D>
+void add_kinetic_stress(const PackingIn<D>& packing, const CoarseGraining& choice, const KernelIn<D>& kernel,
+                        CoarseFieldsIn<D>& fields) {
+  const std::vector<Vec<D>> around = velocity_at_grains(packing, choice, kernel);
   for (std::size_t g = 0; g < packing.grains.size(); ++g) {
-    const double mass = mass_of(packing, g) / packing.domain.thickness;
-    const Vec2 fluctuation = packing.grains.velocity[g] - around[g];
-    const Tensor2 own = outer(fluctuation, fluctuation);
-    for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec2 d, Vec2 velocity) {
+    const double mass = mass_of(packing, g) / length_through(packing.domain);
+    const Vec<D> fluctuation = packing.grains.velocity[g] - around[g];
+    const Tensor<D> own = outer(fluctuation, fluctuation);
+    for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec<D> d, Vec<D> velocity) {
       if (!(fields.density[k] > 0)) return;
-      const Vec2 apart = velocity - fields.velocity[k];
+      const Vec<D> apart = velocity - fields.velocity[k];
       const double weight = -mass * kernel.value(d);
       fields.kinetic_stress[k] += weight * own;
       fields.gradient_stress[k] += weight * outer(apart, apart);
@@ -156,86 +148,77 @@ void add_kinetic_stress(const Packing& packing, const CoarseGraining& choice, co
   }
 }
 
-void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fields) {
-  const Contacts& contacts = packing.contacts;
-  const double length = packing.domain.thickness;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 start = packing.grains.position[contacts.i[c]], force = contacts.force_on_i(c) / length;
-    const Vec2 branch = contacts.branch(c);
-    const Tensor2 moment = outer(force, branch);
-    const geometry::Rectangle extent =
-        geometry::bounds(std::array{start, start + branch}, std::array{kernel.reach(), kernel.reach()});
-    for_each_image(packing.domain, extent, fields.grid.bounds, [&](const ImageShift& image) {
-      for_points_in(fields.grid, extent + image.shift, [&](std::size_t k, Vec2 point) {
-        const Vec2 from = point - start - image.shift, to = from - branch;
-        fields.contact_stress[k] += kernel.line_mean(from, to) * moment;
-        if (contacts.is_wall(c)) fields.wall_force[k] += kernel.value(to) * force;
-      });
+/// A force on a grain, and the line from its centre that bears it.
+template <int D>
+void add_bearing(const Container<D>& domain, const KernelIn<D>& kernel, Vec<D> start, Vec<D> branch, Vec<D> force,
+                 bool is_of_wall, CoarseFieldsIn<D>& fields) {
+  const Tensor<D> moment = outer(force, branch);
+  const Vec<D> end = start + branch;
+  const Vec<D> low = by_axis<D>([&](int axis) { return std::min(start[axis], end[axis]) - kernel.reach(); });
+  const Vec<D> high = by_axis<D>([&](int axis) { return std::max(start[axis], end[axis]) + kernel.reach(); });
+  for_images_between(domain, fields.grid.low - high, fields.grid.high - low, [&](const Cells<D>& image) {
+    const Vec<D> shift = domain.way(image);
+    for_points_in(fields.grid, low + shift, high + shift, [&](std::size_t k, Vec<D> point) {
+      const Vec<D> from = point - start - shift, to = from - branch;
+      if (const double mean = kernel.line_mean(from, to); mean != 0) fields.contact_stress[k] += mean * moment;
+      if (is_of_wall) fields.wall_force[k] += kernel.value(to) * force;
     });
-  }
+  });
 }
 
-void check(const Packing& packing, const Grid& grid) {
-  const Domain& domain = packing.domain;
-  if (!(domain.width() > 0 && domain.height() > 0))
-    throw InputError("the box is not known; coarse-grained fields need its size");
-  if (!(domain.thickness > 0))
-    throw refusal("a thickness of {:g} m; coarse-grained fields need a positive one", domain.thickness);
-  if (grid.columns < 1 || grid.rows < 1 || !(grid.bounds.width() > 0 && grid.bounds.height() > 0))
-    throw refusal("a grid of {} x {} points over {:g} m x {:g} m; give at least one point and a positive area",
-                  grid.columns, grid.rows, grid.bounds.width(), grid.bounds.height());
+/// Fields of disks are of contacts alone.
+template <class See> void each_joint(const Packing& /*packing*/, const See& /*see*/) {}
+using texture::spheres::each_joint;
+
+template <int D> void add_contacts(const PackingIn<D>& packing, const KernelIn<D>& kernel, CoarseFieldsIn<D>& fields) {
+  const ContactsIn<D>& contacts = packing.contacts;
+  const double length = length_through(packing.domain);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    add_bearing<D>(packing.domain, kernel, packing.grains.position[contacts.i[c]], contacts.branch(c),
+                   contacts.force_on_i(c) / length, contacts.is_wall(c), fields);
+  each_joint(packing, [&](std::size_t i, std::size_t, const auto& force, const auto& way) {
+    add_bearing(packing.domain, kernel, packing.grains.position[i], -way, force, false, fields);
+  });
+}
+
+/// "3 x 4", in space "3 x 4 x 5".
+template <int D, class Of> std::string along_axes(const Of& of) {
+  std::string text;
+  for (int axis = 0; axis < D; ++axis) text += (axis > 0 ? " x " : "") + of(axis);
+  return text;
+}
+
+template <int D> bool has_extent(const Container<D>& domain) {
+  bool has = true;
+  for (int axis = 0; axis < D; ++axis) has = has && domain.extent(axis) > 0;
+  return has;
+}
+
+template <int D> void check(const PackingIn<D>& packing, const GridIn<D>& grid) {
+  if (!has_extent<D>(packing.domain)) throw InputError("the box is not known; coarse-grained fields need its size");
+  if (const double length = length_through(packing.domain); !(length > 0))
+    throw refusal("a thickness of {:g} m; coarse-grained fields need a positive one", length);
+  bool has_points = true;
+  for (int axis = 0; axis < D; ++axis) has_points = has_points && grid.count[axis] >= 1 && grid.extent(axis) > 0;
+  if (!has_points)
+    throw refusal("a grid of {} points over {}; give at least one point along each axis, and positive lengths",
+                  along_axes<D>([&](int axis) { return fmt::format("{}", grid.count[axis]); }),
+                  along_axes<D>([&](int axis) { return fmt::format("{:g} m", grid.extent(axis)); }));
 }
 
 }  // namespace
 
-Kernel::Kernel(KernelShape shape, double width)
-    : shape_(shape),
-      width_(width),
-      reach_(width * (shape == KernelShape::gaussian ? gaussian_reach : lucy_reach)) {
-  if (!(width > 0) || !std::isfinite(width))
-    throw refusal("a coarse-graining width of {:g} m; give a positive length", width);
-}
-
-double Kernel::value(Vec2 d) const {
-  if (shape_ == KernelShape::gaussian)
-    return std::exp(-0.5 * dot(d, d) / (width_ * width_)) / (2 * pi * width_ * width_);
-  const double q = norm(d) / reach_;
-  return q < 1 ? 5 / (pi * reach_ * reach_) * (1 + 3 * q) * (1 - q) * (1 - q) * (1 - q) : 0;
-}
-
-Vec2 Kernel::gradient(Vec2 d) const {
-  if (shape_ == KernelShape::gaussian) return -value(d) / (width_ * width_) * d;
-  // d/dq (1 + 3 q)(1 - q)^3 = -12 q (1 - q)^2, and grad q = d/(q c^2).
-  const double c2 = reach_ * reach_, q = norm(d) / reach_;
-  return q < 1 ? -60 / (pi * c2 * c2) * (1 - q) * (1 - q) * d : Vec2{};
-}
-
-double Kernel::line_mean(Vec2 from, Vec2 to) const {
-  const double length = norm(to - from), unit = shape_ == KernelShape::gaussian ? width_ : reach_;
-  if (!(length > 0)) return value(from);
-  const Vec2 along = (to - from) / length;
-  const double p = std::abs(cross(from, along)) / unit, t0 = dot(from, along) / unit, t1 = dot(to, along) / unit;
-  return (shape_ == KernelShape::gaussian ? gaussian_along(p, t0, t1) : lucy_along(p, t0, t1)) / (unit * length);
-}
-
-Grid grid_over(const Domain& domain, double spacing) {
+template <int D> GridIn<D> grid_over(const Container<D>& domain, double spacing) {
   if (!(spacing > 0)) throw refusal("a grid of spacing {:g} m; give a positive length", spacing);
-  const auto cells = [&](double length) {
-    return std::max(1, static_cast<int>(std::ceil(length / spacing * (1 - 1e-12))));
-  };
-  return {box_of(domain), cells(domain.width()), cells(domain.height())};
-}
-
-std::vector<double> Grid::lines_x() const {
-  std::vector<double> x;
-  for (int c = 0; c < columns; ++c) x.push_back(point(c, 0).x);
-  return x;
-}
-
-std::vector<double> Grid::lines_y() const {
-  std::vector<double> y;
-  for (int r = 0; r < rows; ++r) y.push_back(point(0, r).y);
-  return y;
+  const Vec<D> cells =
+      by_axis<D>([&](int axis) { return std::max(1.0, std::ceil(domain.extent(axis) / spacing * (1 - 1e-12))); });
+  double points = 1, volume = 1;
+  for (int axis = 0; axis < D; ++axis) points *= cells[axis], volume *= domain.extent(axis);
+  if (const double most = most_points[D - 2]; points > most)
+    throw refusal("points {:g} m apart are {:.2g} in this box, and at most {:g} fit; give a spacing above {:.2g} m",
+                  spacing, points, most, geometry::side_of_cube<D>(volume / most));
+  return {domain.corner(), domain.corner(1),
+          by_axis<D>([&](int axis) { return static_cast<std::int32_t>(cells[axis]); })};
 }
 
 void declare(ParameterVisitor& v, CoarseGraining& choice) {
@@ -247,28 +230,31 @@ void declare(ParameterVisitor& v, CoarseGraining& choice) {
            choice.tilt_rate, "m/s", range::any);
 }
 
-CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const CoarseGraining& choice) {
-  check(packing, grid);
-  const Kernel kernel(choice.kernel, choice.width);
+template <int D>
+CoarseFieldsIn<D> coarse_grain(const PackingIn<D>& packing, const std::type_identity_t<GridIn<D>>& grid,
+                               const CoarseGraining& choice) {
+  check<D>(packing, grid);
+  const KernelIn<D> kernel(choice.kernel, choice.width);
   const std::size_t n = grid.size();
-  CoarseFields fields{grid,
-                      std::vector<double>(n),
-                      std::vector<double>(n),
-                      std::vector<Vec2>(n),
-                      std::vector<Vec2>(n, Vec2{unknown, unknown}),
-                      std::vector<Tensor2>(n, Tensor2{unknown, unknown, unknown, unknown}),
-                      std::vector<Tensor2>(n),
-                      std::vector<Tensor2>(n),
-                      std::vector<Tensor2>(n),
-                      std::vector<Vec2>(n)};
+  const Vec<D> nowhere = aside<D>(unknown);
+  CoarseFieldsIn<D> fields{grid,
+                           std::vector<double>(n),
+                           std::vector<double>(n),
+                           std::vector<Vec<D>>(n),
+                           std::vector<Vec<D>>(n, nowhere),
+                           std::vector<Tensor<D>>(n, outer(nowhere, nowhere)),
+                           std::vector<Tensor<D>>(n),
+                           std::vector<Tensor<D>>(n),
+                           std::vector<Tensor<D>>(n),
+                           std::vector<Vec<D>>(n)};
   add_grains(packing, choice, kernel, fields);
   add_kinetic_stress(packing, choice, kernel, fields);
   add_contacts(packing, kernel, fields);
   return fields;
 }
 
-CoarseFields coarse_grain(const Packing& packing, const CoarseGraining& choice) {
-  return coarse_grain(packing, grid_over(packing.domain, choice.spacing.value_or(choice.width)), choice);
+template <int D> CoarseFieldsIn<D> coarse_grain(const PackingIn<D>& packing, const CoarseGraining& choice) {
+  return coarse_grain<D>(packing, grid_over<D>(packing.domain, choice.spacing.value_or(choice.width)), choice);
 }
 
 double shear_rate_at(const History& history, double time) {
@@ -281,17 +267,27 @@ double shear_rate_at(const History& history, double time) {
   return span > 0 ? ((*strain)[k] - (*strain)[k - 1]) / span : 0;
 }
 
-bool has_fields(const Packing& packing) {
-  return packing.grains.size() > 0 && packing.domain.width() > 0 && packing.domain.height() > 0 &&
-         packing.domain.thickness > 0;
+template <int D> bool has_fields(const PackingIn<D>& packing) {
+  return packing.grains.size() > 0 && has_extent<D>(packing.domain) && length_through(packing.domain) > 0;
 }
 
-CoarseFields coarse_fields(const Packing& packing, double shear_rate, double width, double spacing) {
+template <int D>
+CoarseFieldsIn<D> coarse_fields(const PackingIn<D>& packing, double shear_rate, double width, double spacing) {
   CoarseGraining choice;
   choice.width = width;
   choice.spacing = spacing;
-  if (shear_rate != 0) choice.tilt_rate = shear_rate * packing.domain.height();
+  if (shear_rate != 0) choice.tilt_rate = shear_rate * packing.domain.extent(1);
   return coarse_grain(packing, choice);
 }
+
+#define ARENITE_OF(D)                                                                                    \
+  template GridIn<D> grid_over(const Container<D>&, double);                                             \
+  template CoarseFieldsIn<D> coarse_grain(const PackingIn<D>&, const GridIn<D>&, const CoarseGraining&); \
+  template CoarseFieldsIn<D> coarse_grain(const PackingIn<D>&, const CoarseGraining&);                   \
+  template bool has_fields(const PackingIn<D>&);                                                         \
+  template CoarseFieldsIn<D> coarse_fields(const PackingIn<D>&, double, double, double);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::fields

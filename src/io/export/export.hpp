@@ -21,13 +21,14 @@ struct GrainField {
   std::vector<double> values;
 };
 
-/// Fields of a state on the centres of equal cells of a rectangle, row by row from the bottom.
-struct GridFields {
-  double left = 0, bottom = 0, dx = 1, dy = 1;  ///< m
-  int columns = 0, rows = 0;
-  std::vector<GrainField> scalars{};                          ///< one value a point
-  std::vector<Vec2> velocity{};                               ///< m/s; NaN where no grain is near
-  std::vector<double> stress_xx{}, stress_yy{}, stress_xy{};  ///< Pa, tension positive, with the kinetic part
+/// Fields of a state on the centres of equal cells of an upright box: along x first, then along y, then along z.
+template <int D> struct GridFieldsIn {
+  Vec<D> corner, step;                ///< m
+  Vec<D, std::int32_t> count{};       ///< of cells along each axis
+  std::vector<GrainField> scalars{};  ///< one value a point
+  std::vector<Vec<D>> velocity{};     ///< m/s; NaN where no grain is near
+  std::vector<double> stress{};       ///< xx, yy, zz, xy, yz, xz of each point, Pa, tension positive, with the kinetic
+                                      ///< part; 0 out of the plane
 };
 
 /// One state of the loading, as every export format gets it: of disks (D = 2) or spheres (3).
@@ -38,7 +39,7 @@ template <int D> struct ExportStateIn {
   std::vector<GrainField> fields;
   std::vector<GrainField> of_contacts = {};
   std::vector<Vec<D>> displacement{};  ///< m, of every grain since the first state; empty if there is none before this
-  GridFields grid{};                   ///< for a format that wants it; without columns where the state has none
+  GridFieldsIn<D> grid{};              ///< for a format that wants it; without columns where the state has none
 };
 using ExportSnapshot = ExportStateIn<2>;
 using ExportSpheres = ExportStateIn<3>;
@@ -66,7 +67,7 @@ struct ExportFormat {
   std::string_view name, sentence;
   Statements states = {};                            ///< what its files carry of a state, and what they leave out
   std::array<std::string_view, 2> other_names = {};  ///< of programs that read it, by which it may be asked for
-  bool wants_grid = false;                           ///< coarse-grained fields, ExportSnapshot::grid
+  bool wants_grid = false;                           ///< coarse-grained fields, ExportStateIn::grid
   std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;  ///< null: holds fields only
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
   std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only

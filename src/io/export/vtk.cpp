@@ -226,7 +226,8 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
 std::vector<NamedBytes> vti_voxels(const VoxelResult& r) {
   VtkImage image;
   image.width = r.map.width, image.height = r.map.height, image.depth = r.map.depth;
-  image.dx = image.dy = r.map.dx;
+  image.dx = image.dy = image.dz = r.map.dx;
+  image.back = image.depth > 1 ? 0 : -image.dz / 2;
   const VoxelStress& f = r.field;
   std::vector<float> displacement, stress;
   for (std::size_t k = 0; k < f.size(); ++k) {

@@ -116,6 +116,13 @@ std::vector<double> in_space(const std::vector<Vec2>& plane) {
   return vectors;
 }
 
+std::vector<double> in_space(const std::vector<Vec3>& vectors) {
+  std::vector<double> components;
+  components.reserve(3 * vectors.size());
+  for (const Vec3& v : vectors) components.insert(components.end(), {v.x, v.y, v.z});
+  return components;
+}
+
 std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy,
                               const std::vector<double>& xy) {
   std::vector<double> tensors;
@@ -156,8 +163,8 @@ std::string vti_bytes(const VtkImage& image) {
   VtkWriter file("ImageData");
   if (!image.provenance.empty()) file.line("<!-- {} -->", escaped(image.provenance));
   file.line("<ImageData WholeExtent=\"{}\" Origin=\"{} {} {}\" Spacing=\"{} {} {}\">", extent,
-            image.left + image.dx / 2, image.bottom + image.dy / 2, image.depth > 1 ? image.dx / 2 : 0, image.dx,
-            image.dy, image.dx);
+            image.left + image.dx / 2, image.bottom + image.dy / 2, image.back + image.dz / 2, image.dx, image.dy,
+            image.dz);
   file.line("<Piece Extent=\"{}\">", extent);
   file.arrays("PointData", image.point_arrays);
   file.line("</Piece>\n</ImageData>");

@@ -23,6 +23,8 @@ struct VtkArray {
 
 /// Vectors of the plane as VTK wants them: three components, the last 0.
 std::vector<double> in_space(const std::vector<Vec2>& plane);
+/// Components of vectors one after another.
+std::vector<double> in_space(const std::vector<Vec3>& vectors);
 /// Symmetric tensors of the plane in VTK's order: xx, yy, zz, xy, yz, xz.
 std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy,
                               const std::vector<double>& xy);
@@ -46,10 +48,12 @@ struct VtkImage {
   int width = 0, height = 0;
   double dx = 1;  ///< m
   std::vector<VtkArray> point_arrays;
-  double dy = dx;               ///< m
-  double left = 0, bottom = 0;  ///< corner, m
-  int depth = 1;                ///< layers, dx apart; those of a plane lie at 0
-  std::string provenance = {};  ///< a comment of the file
+  double dy = dx;                         ///< m
+  double left = 0, bottom = 0;            ///< corner, m
+  int depth = 1;                          ///< layers; the one of a plane lies at 0
+  std::string provenance = {};            ///< a comment of the file
+  double dz = dx;                         ///< m
+  double back = depth > 1 ? 0 : -dz / 2;  ///< corner, m
 };
 
 /// The bytes of a .vti file (VTK XML ImageData, appended raw data, zlib).

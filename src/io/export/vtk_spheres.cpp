@@ -11,23 +11,17 @@
 namespace arenite::io {
 namespace {
 
-std::vector<double> components_of(const std::vector<Vec3>& vectors) {
-  std::vector<double> components;
-  for (const Vec3& v : vectors) components.insert(components.end(), {v.x, v.y, v.z});
-  return components;
-}
-
 VtkPolyData spheres_of(const ExportSpheres& from) {
   const GrainsIn<3>& grains = from.snapshot->packing.grains;
   VtkPolyData data;
   data.time = from.snapshot->time;
-  data.points = components_of(grains.position);
+  data.points = in_space(grains.position);
   data.point_arrays = {{"id", grains.id},
                        {"radius", grains.radius},
                        {"material", grains.material},
-                       {"velocity", components_of(grains.velocity), 3},
-                       {"angle", components_of(grains.angle), 3},
-                       {"omega", components_of(grains.omega), 3}};
+                       {"velocity", in_space(grains.velocity), 3},
+                       {"angle", in_space(grains.angle), 3},
+                       {"omega", in_space(grains.omega), 3}};
   for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
   return data;
 }
@@ -45,13 +39,13 @@ VtkPolyData contacts_of_spheres(const ExportSpheres& from) {
     ends.push_back(far_end(packing, c));
     force_at_ends.insert(force_at_ends.end(), 2, contacts.fn[c]);
   }
-  data.points = components_of(ends);
+  data.points = in_space(ends);
   data.point_arrays = {{"fn", force_at_ends}};
   const auto of_each = [&](auto value) { return by_contact(packing, value); };
   data.cell_arrays = {{"i", of_each([&](std::size_t c) { return id_of_i(packing, c); })},
                       {"j", of_each([&](std::size_t c) { return id_of_j(packing, c); })},
                       {"type", of_each([&](std::size_t c) { return contact_type(packing, c); })},
-                      {"force", components_of(of_each([&](std::size_t c) { return contacts.force_on_i(c); })), 3}};
+                      {"force", in_space(of_each([&](std::size_t c) { return contacts.force_on_i(c); })), 3}};
   for (const auto& column : columns_of(contacts)) data.cell_arrays.push_back({column.name, column.of(contacts)});
   return data;
 }
@@ -73,9 +67,9 @@ VtkPolyData bonds_of_spheres(const ExportSpheres& from) {
     force.push_back(force_on_i(packing, bond)), moment.push_back(bond.moment);
     load.push_back(bond.load), energy.push_back(bond.energy);
   }
-  data.points = components_of(ends);
-  data.cell_arrays = {{"i", i},       {"j", j},           {"force", components_of(force), 3},
-                      {"load", load}, {"energy", energy}, {"moment", components_of(moment), 3}};
+  data.points = in_space(ends);
+  data.cell_arrays = {{"i", i},       {"j", j},           {"force", in_space(force), 3},
+                      {"load", load}, {"energy", energy}, {"moment", in_space(moment), 3}};
   return data;
 }
 
@@ -95,7 +89,7 @@ VtkPolyData cracks_of_spheres(const ExportSpheres& from) {
     broken.push_back(static_cast<std::int32_t>(bond.broken));
     time.push_back(bond.time), energy.push_back(bond.energy);
   }
-  data.points = components_of(places);
+  data.points = in_space(places);
   data.point_arrays = {{"i", i}, {"j", j}, {"broken", broken}, {"time", time}, {"energy", energy}};
   return data;
 }
@@ -118,12 +112,12 @@ VtkPolyData boundaries_of_spheres(const ExportSpheres& from) {
     force.insert(force.end(), faces, boundary.force), torque.insert(torque.end(), faces, boundary.torque);
     velocity.insert(velocity.end(), faces, boundary.velocity);
   }
-  data.points = components_of(points);
+  data.points = in_space(points);
   data.cell_arrays = {{"boundary", number},
                       {"present", present},
-                      {"force", components_of(force), 3},
-                      {"torque", components_of(torque), 3},
-                      {"velocity", components_of(velocity), 3}};
+                      {"force", in_space(force), 3},
+                      {"torque", in_space(torque), 3},
+                      {"velocity", in_space(velocity), 3}};
   return data;
 }
 

@@ -72,7 +72,7 @@ void sphere_stress(const SphereView& view, Numbers& to) {
   Numbers details = Numbers::tree();
   put(to, "stress", Numbers{{"value", rows_of(stress)}, {"error", Numbers()}}, "Pa",
       "Mean stress of the sample, tension positive; its error is unknown from one sample", Trait::by_forces);
-  put(details, "pressure_Pa", -trace(stress) / 3, "Pa",
+  put(details, "pressure_Pa", pressure(stress), "Pa",
       "Pressure p, mean of the principal stresses, compression positive");
   put(details, "deviator_Pa", deviator(stress), "Pa",
       "Deviator q, sqrt(3 J_2): in a triaxial test the difference of the principal stresses");

@@ -7,28 +7,6 @@
 
 namespace arenite::texture::spheres {
 
-Tensor3& Tensor3::operator+=(const Tensor3& other) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) at[i][j] += other.at[i][j];
-  return *this;
-}
-
-Tensor3 operator*(double factor, const Tensor3& tensor) {
-  Tensor3 scaled;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) scaled.at[i][j] = factor * tensor.at[i][j];
-  return scaled;
-}
-
-Tensor3 outer(Vec3 a, Vec3 b) {
-  Tensor3 product;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) product.at[i][j] = a[i] * b[j];
-  return product;
-}
-
-double trace(const Tensor3& tensor) { return tensor.at[0][0] + tensor.at[1][1] + tensor.at[2][2]; }
-
 Numbers rows_of(const Tensor3& tensor) {
   Numbers rows = Numbers::list();
   for (const auto& row : tensor.at) rows.push_back(Numbers::list({row[0], row[1], row[2]}));

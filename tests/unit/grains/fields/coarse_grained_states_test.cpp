@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
+
 namespace arenite::fields {
 namespace {
 
@@ -25,7 +27,20 @@ TEST(StateFields, NeedGrainsAndABox) {
   packing.domain.thickness = 2;
   EXPECT_TRUE(has_fields(packing));
   const auto f = coarse_fields(packing, 0, 1, 2);
-  EXPECT_EQ(f.grid.columns, 10);
+  EXPECT_EQ(f.grid.count.x, 10);
+}
+
+TEST(StateFields, OfSpheresNeedNoThickness) {
+  PackingIn<3> packing;
+  packing.materials = {{"glass", 2500, 1, 0}};
+  packing.grains.resize(1);
+  packing.grains.radius = {1};
+  EXPECT_FALSE(has_fields(packing));
+  for (const int side : {right, top, front}) packing.domain.wall[side].position = 4 + side;
+  EXPECT_TRUE(has_fields(packing));
+  const auto f = coarse_fields(packing, 0, 1, 2);
+  EXPECT_EQ(f.grid.count, (Cells<3>{3, 4, 5}));
+  EXPECT_THROW(coarse_fields(packing, 0, 1, 1e-3), InputError);  // of 5e11 points
 }
 
 }  // namespace

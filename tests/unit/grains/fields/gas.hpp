@@ -1,8 +1,11 @@
 #pragma once
 #include "grains/fields/coarse_grained.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <vector>
@@ -36,6 +39,35 @@ inline Packing gas(std::uint64_t seed, double tilt = 0, int grains = 60) {
   return p;
 }
 
+/// The same of spheres in a periodic cell of 8 m x 8 m x 8 m, sheared by a tilt.
+inline PackingIn<3> gas_in_space(std::uint64_t seed, double tilt = 0, int grains = 40) {
+  RandomStream random(seed, Purpose::test);
+  PackingIn<3> p;
+  p.materials = {{"A", 1000, 0, 0}, {"B", 2000, 0, 0}};
+  p.domain.periodic = {true, true, true};
+  for (int side = 0; side < 6; ++side) p.domain.wall[side] = {false, side % 2 == 0 ? 0.0 : 8.0};
+  p.domain.tilt = tilt;
+  const auto vector = [&](auto&& along) { return by_axis<3>([&](int) { return along(); }); };
+  p.grains.resize(static_cast<std::size_t>(grains));
+  for (std::size_t g = 0; g < p.grains.size(); ++g) {
+    p.grains.position[g] = vector([&] { return random.uniform(0, 8); });
+    p.grains.radius[g] = random.uniform(0.8, 1.4);
+    p.grains.material[g] = static_cast<int>(random.below(2));
+    p.grains.velocity[g] = Vec3{3, 0, 0} + vector([&] { return random.normal(); });
+  }
+  for (std::size_t i = 0; i < p.grains.size(); ++i)
+    for (std::size_t j = i + 1; j < p.grains.size(); ++j) {
+      const Vec3 way = p.domain.nearest_image(p.grains.position[i] - p.grains.position[j]);
+      const double gap = norm(way) - p.grains.radius[i] - p.grains.radius[j];
+      if (gap >= 0) continue;
+      const Vec3 turning = vector([&] { return random.uniform(-2e4, 2e4); });
+      p.contacts.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), way / norm(way),
+                     -6e4 * std::log(1 - random.uniform()), turning, p.grains.radius[i] + gap / 2,
+                     p.grains.radius[j] + gap / 2);
+    }
+  return p;
+}
+
 inline double total(const std::vector<double>& values) {
   double sum = 0;
   for (const double v : values) sum += v;
@@ -47,28 +79,68 @@ template <class T> std::vector<double> part(const std::vector<T>& values, double
   return out;
 }
 
-/// Derivative along x or y of a periodic field whose shortest waves are empty, by its trigonometric interpolation:
-/// exact to rounding.
-inline std::vector<double> derivative(const Grid& grid, const std::vector<double>& f, bool along_x) {
-  const int n = along_x ? grid.columns : grid.rows;  // even
-  const double length = along_x ? grid.bounds.width() : grid.bounds.height();
-  std::vector<double> out(f.size());
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column)
-      for (int k = 0; k < n; ++k) {
-        const int at = along_x ? column : row;
-        if (k == at) continue;
-        const double weight = pi / length * ((at - k) % 2 ? -1 : 1) / std::tan(pi * (at - k) / n);
-        out[static_cast<std::size_t>(row * grid.columns + column)] +=
-            weight * f[static_cast<std::size_t>(along_x ? row * grid.columns + k : k * grid.columns + column)];
-      }
+inline double component(const Tensor2& t, int row, int column) {
+  const double all[2][2] = {{t.xx, t.xy}, {t.yx, t.yy}};
+  return all[row][column];
+}
+inline double component(const Tensor<3>& t, int row, int column) { return t.at[row][column]; }
+
+inline Tensor2 dyad(Vec2 a, Vec2 b) { return outer(a, b); }
+inline Tensor<3> dyad(Vec3 a, Vec3 b) { return texture::spheres::outer(a, b); }
+
+/// One component of vectors, and of tensors.
+template <int D> std::vector<double> along(const std::vector<Vec<D>>& values, int axis) {
+  std::vector<double> out;
+  for (const Vec<D>& v : values) out.push_back(v[axis]);
   return out;
 }
-inline std::vector<double> divergence(const Grid& grid, const std::vector<double>& x, const std::vector<double>& y) {
-  std::vector<double> sum = derivative(grid, x, true);
-  const std::vector<double> other = derivative(grid, y, false);
-  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += other[k];
+template <class T> std::vector<double> components(const std::vector<T>& values, int row, int column) {
+  std::vector<double> out;
+  for (const T& t : values) out.push_back(component(t, row, column));
+  return out;
+}
+
+/// Calls `visit` for the cells of every point of a grid.
+template <int D, class Visit> void for_every_point(const GridIn<D>& grid, const Visit& visit) {
+  for (std::size_t k = 0; k < grid.size(); ++k) {
+    auto rest = static_cast<std::int32_t>(k);
+    Cells<D> at;
+    for (int axis = 0; axis < D; rest /= grid.count[axis++]) at[axis] = rest % grid.count[axis];
+    ASSERT_EQ(grid.index(at), k);
+    visit(at);
+  }
+}
+
+/// Derivative along an axis of a periodic field whose shortest waves are empty, by its trigonometric interpolation:
+/// exact to rounding.
+template <int D> std::vector<double> derivative(const GridIn<D>& grid, const std::vector<double>& f, int axis) {
+  const int n = grid.count[axis];  // even
+  std::vector<double> out(f.size());
+  for_every_point(grid, [&](const Cells<D>& at) {
+    Cells<D> other = at;
+    for (int k = 0; k < n; ++k) {
+      if (k == at[axis]) continue;
+      const double weight = pi / grid.extent(axis) * ((at[axis] - k) % 2 ? -1 : 1) / std::tan(pi * (at[axis] - k) / n);
+      other[axis] = k;
+      out[grid.index(at)] += weight * f[grid.index(other)];
+    }
+  });
+  return out;
+}
+template <int D> std::vector<double> divergence(const GridIn<D>& grid, const std::vector<Vec<D>>& vectors) {
+  std::vector<double> sum(grid.size());
+  for (int axis = 0; axis < D; ++axis) {
+    const std::vector<double> of = derivative(grid, along(vectors, axis), axis);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += of[k];
+  }
   return sum;
+}
+/// Of the row of a tensor that belongs to the force along an axis.
+template <int D, class T>
+std::vector<double> divergence(const GridIn<D>& grid, const std::vector<T>& tensors, int row) {
+  std::vector<Vec<D>> rows;
+  for (const T& t : tensors) rows.push_back(by_axis<D>([&](int column) { return component(t, row, column); }));
+  return divergence(grid, rows);
 }
 inline double largest(const std::vector<double>& values) {
   double most = 0;
@@ -76,27 +148,31 @@ inline double largest(const std::vector<double>& values) {
   return most;
 }
 
-/// drho/dt and dp/dt at a point as Newton's second law moves the grains.
-struct Rates {
+/// What masses and forces are counted by.
+inline double length_of(const Packing& p) { return p.domain.thickness; }
+inline double length_of(const PackingIn<3>& /*packing*/) { return 1; }
+
+/// drho/dt and dp/dt at a point as Newton's second law moves the grains, smeared out by a Gaussian.
+template <int D> struct Rates {
   double density = 0;
-  Vec2 momentum;
+  Vec<D> momentum;
 };
-inline Rates rates_at(const Packing& p, Vec2 point, double width) {
-  std::vector<Vec2> force(p.grains.size());
+template <int D> Rates<D> rates_at(const PackingIn<D>& p, Vec<D> point, double width) {
+  std::vector<Vec<D>> force(p.grains.size());
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
     force[static_cast<std::size_t>(p.contacts.i[c])] += p.contacts.force_on_i(c);
     force[static_cast<std::size_t>(p.contacts.j[c])] -= p.contacts.force_on_i(c);
   }
-  Rates rates;
+  const double norm_of = std::pow(2 * pi * width * width, 0.5 * D) * length_of(p);
+  Rates<D> rates;
   for (std::size_t g = 0; g < p.grains.size(); ++g)
-    for (int row = -1; row <= 1; ++row)
-      for (int column = -1; column <= 1; ++column) {
-        const Vec2 d = point - p.grains.position[g] - Vec2{10.0 * column, 8.0 * row}, v = p.grains.velocity[g];
-        const double phi = std::exp(-dot(d, d) / (2 * width * width)) / (2 * pi * width * width) / p.domain.thickness;
-        const double dphi = dot(v, d) / (width * width) * phi;  // of a kernel that moves at v
-        rates.density += mass_of(p, g) * dphi;
-        rates.momentum += phi * force[g] + mass_of(p, g) * dphi * v;
-      }
+    p.domain.each_near_cell([&](const Cells<D>& image) {
+      const Vec<D> d = point - p.grains.position[g] - p.domain.way(image), v = p.grains.velocity[g];
+      const double phi = std::exp(-dot(d, d) / (2 * width * width)) / norm_of;
+      const double dphi = dot(v, d) / (width * width) * phi;  // of a kernel that moves at v
+      rates.density += mass_of(p, g) * dphi;
+      rates.momentum += phi * force[g] + mass_of(p, g) * dphi * v;
+    });
   return rates;
 }
 

@@ -62,7 +62,7 @@ TEST(ExportSnapshot, EveryFormatTakesASampleWithoutContactsOrGrains) {
     if (!format.of_loading && !format.of_snapshot) continue;  // of fields only
     std::set<std::string> names;
     io::ExportSnapshot one{0, "", &snapshot, {}};
-    if (format.wants_grid) one.grid = {0, 0, 1, 1, 1, 1, {}, {{0, 0}}, {0}, {0}, {0}};
+    if (format.wants_grid) one.grid = {{0, 0}, {1, 1}, {1, 1}, {}, {{0, 0}}, {0, 0, 0, 0, 0, 0}};
     for (const auto& file : format.of_loading ? format.of_loading({one}, {}) : format.of_snapshot(one)) {
       EXPECT_FALSE(file.bytes.empty()) << file.name;
       names.insert(file.name);
@@ -75,7 +75,9 @@ TEST(ExportSnapshot, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
   io::ExportSnapshot one;
   one.number = 7;
   EXPECT_TRUE(io::exports::fields.of_snapshot(one).empty());
-  one.grid = {1, 2, 0.5, 0.25, 2, 1, {{"density", "kg/m^3", {3, 4}}}, {{1, 0}, {2, 0}}, {-1, -1}, {-2, -2}, {0.5, 0.5}};
+  one.grid = {{1, 2},           {0.5, 0.25},
+              {2, 1},           {{"density", "kg/m^3", {3, 4}}},
+              {{1, 0}, {2, 0}}, {-1, -2, 0, 0.5, 0, 0, -1, -2, 0, 0.5, 0, 0}};
   const auto files = io::exports::fields.of_snapshot(one);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].name, "fields_0007.vti");
@@ -86,6 +88,17 @@ TEST(ExportSnapshot, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
   EXPECT_NE(
       io::exports::fields.index({0, 0.5}).front().bytes.find("timestep=\"0.5\" part=\"0\" file=\"fields_0001.vti\""),
       std::string::npos);
+}
+
+TEST(ExportSnapshot, FieldsOfSpheresAreAnImageOfLayers) {
+  io::ExportSpheres one;
+  EXPECT_TRUE(io::exports::fields.of_spheres(one).empty());
+  one.grid = {{1, 2, 3}, {0.5, 0.25, 2}, {1, 2, 1}, {}, {{1, 0, 0}, {2, 0, 0}}, std::vector<double>(12, 1.0)};
+  const auto files = io::exports::fields.of_spheres(one);
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_NE(files[0].bytes.find("WholeExtent=\"0 0 0 1 0 0\" Origin=\"1.25 2.125 4\" Spacing=\"0.5 0.25 2\""),
+            std::string::npos)
+      << files[0].bytes.substr(0, 400);
 }
 
 TEST(ExportSnapshot, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables) {
