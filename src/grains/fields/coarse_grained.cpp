@@ -166,8 +166,14 @@ void add_bearing(const Container<D>& domain, const KernelIn<D>& kernel, Vec<D> s
   });
 }
 
-/// Fields of disks are of contacts alone.
-template <class See> void each_joint(const Packing& /*packing*/, const See& /*see*/) {}
+/// Calls see(i, j, force on i, way from j to i) for what joins two disks beside their contact: bonds, and pulls across
+/// gaps.
+template <class See> void each_joint(const Packing& packing, const See& see) {
+  const auto link = [&](const auto& of) { see(of.i, of.j, force_on_i(packing, of), branch_of(packing, of)); };
+  for (const Bond& bond : packing.bonds) link(bond);
+  for (const CohesivePair& pair : packing.cohesive)
+    if (acts_across_gap(pair)) link(pair);
+}
 using texture::spheres::each_joint;
 
 template <int D> void add_contacts(const PackingIn<D>& packing, const KernelIn<D>& kernel, CoarseFieldsIn<D>& fields) {
@@ -177,7 +183,7 @@ template <int D> void add_contacts(const PackingIn<D>& packing, const KernelIn<D
     add_bearing<D>(packing.domain, kernel, packing.grains.position[contacts.i[c]], contacts.branch(c),
                    contacts.force_on_i(c) / length, contacts.is_wall(c), fields);
   each_joint(packing, [&](std::size_t i, std::size_t, const auto& force, const auto& way) {
-    add_bearing(packing.domain, kernel, packing.grains.position[i], -way, force, false, fields);
+    add_bearing<D>(packing.domain, kernel, packing.grains.position[i], -way, force / length, false, fields);
   });
 }
 

@@ -64,7 +64,7 @@ using CoarseFields = CoarseFieldsIn<2>;
 /// alone a flow without any fluctuation would have a kinetic stress, which grows with the width (R. Artoni and P.
 /// Richard, Phys. Rev. E 91, 032202, 2015). They obey the balances of mass and momentum exactly: drho/dt + div p = 0
 /// and dp_a/dt = d/dx_b (stress_ab - rho V_a V_b) + wall force (T. Weinhart et al., Granular Matter 14, 289, 2012) +
-/// rho g, stress the sum of all three. In space bonds and pulls across gaps bear as contacts do. Integrals over a
+/// rho g, stress the sum of all three. Bonds and pulls across gaps bear as contacts do. Integrals over a
 /// periodic cell are mass, momentum and the Love-Weber sum; near walls what the kernel smears lies beyond them too.
 /// Images of a periodic cell that deforms move with it: at the rates of its edges and of its tilt. Throws InputError
 /// without a box, a positive thickness, grid and width.

@@ -76,6 +76,21 @@ TEST(CoarseGrained, OfSpheresIntegratesToMassMomentumAndLoveWeberSum) {
   }
 }
 
+TEST(CoarseGrained, BondsAndPullsAcrossGapsBearAsContactsDo) {
+  // Pulled with 5 and 3 N along x, and no contact: the Love-Weber sum is theirs.
+  Packing p = gas(4);
+  p.contacts = {};
+  p.grains.position[0] = {1, 2}, p.grains.position[1] = {1.9, 2}, p.grains.position[2] = {2.9, 2};
+  p.bonds = {{}};
+  p.bonds[0].i = 0, p.bonds[0].j = 1;
+  p.bonds[0].fn = -5;
+  p.cohesive = {{1, 2, 0.1, 3}, {0, 2, -0.1, 7}};  // the pull of grains that touch is in the force of their contact
+  const CoarseFields f = coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::gaussian, 0.8, {}, {}});
+  const double volume = f.grid.cell_volume() * p.domain.thickness;
+  EXPECT_NEAR(total(components(f.contact_stress, 0, 0)) * volume, 5 * 0.9 + 3 * 1.0, 1e-11);
+  EXPECT_NEAR(total(components(f.contact_stress, 1, 1)), 0, 1e-11);
+}
+
 TEST(CoarseGrained, BondsOfSpheresBearAsContactsDo) {
   // A bond that is pulled with 5 N over 1.2 m across a periodic side, and no contact: the Love-Weber sum is its own.
   PackingIn<3> p = gas_in_space(4, 0, 2);
