@@ -65,7 +65,8 @@ TEST(RealPhaseMaps, TheSizeOfAPixelThatAPictureStatesIsTold) {
                            "0=void,85=matrix,170=particle",
                     told = "the file states pixels of 0.5 um";
   EXPECT_NE(arenite(load).err.find(told), std::string::npos);
-  EXPECT_EQ(arenite(load + " --dx '10 um'").err.find(told), std::string::npos);
+  EXPECT_NE(arenite(load + " --dx '10 um'").err.find(told), std::string::npos);  // which is another size
+  EXPECT_EQ(arenite(load + " --dx '0.5 um'").err.find(told), std::string::npos);
   const auto crack = arenite(load + " --failure");
   EXPECT_EQ(crack.status, 2);
   EXPECT_NE(crack.err.find("a crack needs a length; " + told), std::string::npos) << crack.err;
