@@ -81,14 +81,15 @@ def test_axes_of_ilastik_are_known_by_their_tags(tmp_path):
     assert found.dx == pytest.approx(2e-6) and "turned" in told
 
 
-def test_coordinates_of_xarray_are_the_sides_of_voxels(tmp_path):
+@pytest.mark.parametrize("unit", ["um", "micron", "micrometer"])
+def test_coordinates_of_xarray_are_the_sides_of_voxels(tmp_path, unit):
     xarray = pytest.importorskip("xarray")
-    places = {axis: (axis, 7 + 1.5 * np.arange(n)[::-1], {"units": "um"}) for axis, n in zip("zyx", PHASE.shape)}
+    places = {axis: (axis, 7 + 1.5 * np.arange(n)[::-1], {"units": unit}) for axis, n in zip("zyx", PHASE.shape)}
     data = xarray.DataArray(PHASE, dims=list("zyx"), coords=places, name="phase")
     data.to_netcdf(tmp_path / "even.nc", engine="h5netcdf")
     found, told = read(tmp_path / "even.nc")
     assert found.dx == pytest.approx(1.5e-6) and "coordinates" in told
-    bent = data.assign_coords(z=("z", [0.0, 1, 2, 4], {"units": "um"}))
+    bent = data.assign_coords(z=("z", [0.0, 1, 2, 4], {"units": unit}))
     bent.to_netcdf(tmp_path / "uneven.nc", engine="h5netcdf")
     assert not read(tmp_path / "uneven.nc")[0].has_length
 

@@ -17,8 +17,8 @@
 #include "io/film/hdf5_facts.hpp"
 #include "io/film/hdf5_header.hpp"
 #include "io/hdf5/sandbox.hpp"
+#include "io/stated_units.hpp"
 #include "io/table/table.hpp"
-#include "io/time_units.hpp"
 
 namespace arenite::io {
 namespace {

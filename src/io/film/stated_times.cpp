@@ -10,7 +10,7 @@
 #include "core/mapped.hpp"
 #include "core/text.hpp"
 #include "io/film/stamps.hpp"
-#include "io/time_units.hpp"
+#include "io/stated_units.hpp"
 
 namespace arenite::io {
 namespace {

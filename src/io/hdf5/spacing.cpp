@@ -11,27 +11,17 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "io/hdf5/axes.hpp"
 #include "io/hdf5/dataset_search.hpp"
 #include "io/hdf5/foreign.hpp"
 #include "io/hdf5/sandbox.hpp"
-#include "io/table/table.hpp"
+#include "io/stated_units.hpp"
 
 namespace arenite::io {
 namespace {
 
 constexpr std::size_t axes_in_space = 3;
 using Sides = std::vector<double>;  // of axes as they are stored
-
-/// Of a length, m; nothing of what is no unit of one.
-std::optional<double> metres_in(const std::string& unit) {
-  try {
-    if (!unit.empty()) return unit_factor(unit, dimension::length);
-  } catch (const InputError&) {  // a unit of its own
-  }
-  return std::nullopt;
-}
 
 /// element_size_um = [z, y, x] and the like, of which a picture has the last two.
 std::optional<Sides> by_attribute(hid_t set, std::size_t rank, StatedSpacing& stated) {
@@ -43,7 +33,7 @@ std::optional<Sides> by_attribute(hid_t set, std::size_t rank, StatedSpacing& st
       const bool is_of_axes = sides.size() == rank || sides.size() == axes_in_space;
       if (!is_of_axes || !std::ranges::all_of(sides, [](double s) { return s > 0 && std::isfinite(s); })) continue;
       stated.by = name;
-      const auto factor = metres_in(unit);
+      const auto factor = in_metres(1, unit);
       if (!factor) return std::nullopt;
       sides.erase(sides.begin(), sides.end() - static_cast<std::ptrdiff_t>(rank));
       for (double& side : sides) side *= *factor;
@@ -56,7 +46,7 @@ std::optional<Sides> by_attribute(hid_t set, std::size_t rank, StatedSpacing& st
 double step_of(const Hdf5Handle& scale, const Bytes& bytes) {
   std::string unit = text_attribute(*scale, "units");
   if (unit.empty()) unit = text_attribute(*scale, "unit");
-  const auto factor = metres_in(unit);
+  const auto factor = in_metres(1, unit);
   const auto shape = shape_of(*scale);
   constexpr std::int64_t most = 1 << 20;
   if (!factor || shape.size() != 1 || shape[0] < 2 || shape[0] > most || !holds_numbers(*scale)) return 0;

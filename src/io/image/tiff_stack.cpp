@@ -8,9 +8,7 @@
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "core/units.hpp"
-#include "io/table/table.hpp"
-#include "io/time_units.hpp"
+#include "io/stated_units.hpp"
 
 namespace arenite::io {
 namespace {
@@ -30,14 +28,6 @@ std::optional<double> number_in(std::string_view text) {
 
 double positive(std::string_view text) { return std::max(0.0, number_in(text).value_or(0)); }
 
-/// Of a length, m; 0 of what is no unit of one.
-double metres_of(std::string unit) {
-  if (unit == "micron" || unit == "\\u00B5m") unit = "um";
-  try {
-    return unit.empty() ? 0 : unit_factor(unit, dimension::length);
-  } catch (const InputError&) { return 0; }
-}
-
 TiffStack of_imagej(std::string_view text) {
   TiffStack stack{.by = "ImageJ"};
   std::int64_t images = 1;
@@ -56,7 +46,7 @@ TiffStack of_imagej(std::string_view text) {
     if (key == "finterval") stack.interval = positive(value);
     if (key == "fps") stack.shown_per_second = positive(value);
     if (key == "tunit") unit = value;
-    if (key == "unit") stack.length_unit = metres_of(std::string(trimmed(value)));
+    if (key == "unit") stack.length_unit = in_metres(1, value).value_or(0);
     if (key == "spacing") spacing = positive(value);
     if (key == "cf") straight = trimmed(value) == "0";
     if (key == "c0") zero = number_in(value);
@@ -93,7 +83,7 @@ TiffStack of_ome(std::string_view text) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string name = std::string("PhysicalSize") + "XYZ"[axis];
     const std::string unit(attribute(pixels, name + "Unit"));
-    stack.side[axis] = positive(attribute(pixels, name)) * metres_of(unit.empty() ? "um" : unit);
+    stack.side[axis] = in_metres(positive(attribute(pixels, name)), unit.empty() ? "um" : unit).value_or(0);
   }
   const auto in_seconds = [&](double value, std::string_view unit) {
     const auto seconds = seconds_of(unit);

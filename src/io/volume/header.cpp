@@ -13,7 +13,7 @@
 #include "core/option.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "core/units.hpp"
+#include "io/stated_units.hpp"
 
 namespace arenite::io {
 namespace {
@@ -91,14 +91,6 @@ Bytes opened_beside(const Bytes& bytes, const std::string& name) {
   if (std::error_code error; !std::filesystem::exists(data, error))
     refuse(bytes->name(), "names the file \"{}\" for its voxels, which is not there; put it beside the header", name);
   return open_bytes(data);
-}
-
-std::optional<double> in_metres(double length, const std::string& unit) {
-  try {
-    if (!unit.empty()) return parse_si(fmt::format("{} {}", length, unit), dimension::length);
-  } catch (const InputError&) {  // a unit of its own
-  }
-  return std::nullopt;
 }
 
 void take_side(VolumeFacts& facts, double side, const std::string& unit, bool dx_given) {

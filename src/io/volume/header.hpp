@@ -36,8 +36,6 @@ TextHeader header_until_key(const Bytes& bytes, char separator, const std::strin
 /// A file that a header names, beside it.
 Bytes opened_beside(const Bytes& bytes, const std::string& name);
 
-/// A length with its unit, m; nothing where the unit is none of length.
-std::optional<double> in_metres(double length, const std::string& unit);
 /// The side of a voxel in a unit, if it is one of length; otherwise it is left aside, with a remark unless `dx_given`.
 void take_side(VolumeFacts& facts, double side, const std::string& unit, bool dx_given);
 

@@ -10,6 +10,7 @@
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "io/stated_units.hpp"
 #include "io/volume/header.hpp"
 #include "io/volume/volume.hpp"
 

@@ -1,0 +1,46 @@
+#include "io/stated_units.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/problems.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
+
+namespace arenite::io {
+
+std::optional<double> seconds_of(std::string_view unit) {
+  constexpr std::pair<std::string_view, double> units[] = {
+      {"s sec secs second seconds", 1},
+      {"ms msec msecs millisecond milliseconds", 1e-3},
+      {"us usec usecs \xc2\xb5s \xce\xbcs microsecond microseconds", 1e-6},
+      {"ns nsec nanosecond nanoseconds", 1e-9},
+      {"min minute minutes", 60},
+      {"h hour hours", 3600},
+      {"day days", 86400}};
+  const std::string_view word = trimmed(unit);
+  if (word.empty()) return 1;
+  for (const auto& [words, seconds] : units)
+    if (std::ranges::count(split_blanks(words), word) > 0) return seconds;
+  return std::nullopt;
+}
+
+std::optional<double> in_metres(double length, std::string_view unit) {
+  constexpr std::pair<std::string_view, std::string_view> spelled_out[] = {
+      {"meter meters metre metres", "m"},
+      {"centimeter centimeters centimetre centimetres", "cm"},
+      {"millimeter millimeters millimetre millimetres", "mm"},
+      {"micron microns micrometer micrometers micrometre micrometres \\u00B5m \\u03BCm", "um"},
+      {"nanometer nanometers nanometre nanometres", "nm"}};
+  std::string_view symbol = trimmed(unit);
+  for (const auto& [words, si] : spelled_out)
+    if (std::ranges::count(split_blanks(words), symbol) > 0) symbol = si;
+  if (symbol.empty()) return std::nullopt;
+  try {
+    return parse_si(fmt::format("{} {}", length, symbol), dimension::length);
+  } catch (const InputError&) { return std::nullopt; }
+}
+
+}  // namespace arenite::io
