@@ -48,6 +48,8 @@ BENCHMARK(voxel_solve)
     ->Args({128, 4, 0})
     ->Args({128, 100, 0})
     ->Args({128, 100, 1})
+    ->Args({256, 4, 0})
+    ->Args({256, 100, 0})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 

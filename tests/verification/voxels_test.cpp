@@ -139,6 +139,20 @@ TEST(VoxelLoad, RodsOfAnyWidthHaveYoungsModulusAndBendAsBeams) {
     }
 }
 
+TEST(VoxelLoad, GrainsOnThinNecksTakeFewIterationsOnThreeLevels) {
+  constexpr std::size_t most_on_two_levels = 5000;
+  for (const bool filled : {false, true}) {
+    LoadOptions o;
+    o.material = {{1, 0.3}, {1, 0.3}, {100, 0.25}};
+    const auto r = load(test::cemented_spheres(80, filled), o).report;
+    ASSERT_EQ(r.ending, statics::Ending::solved) << r.sentence;
+    ASSERT_GT(r.coarse_nodes, most_on_two_levels);
+    EXPECT_LE(r.iterations, 20) << filled;
+    EXPECT_LT(std::abs(r.identity_defect), 1e-5);
+    EXPECT_EQ(r.repairs, 0);
+  }
+}
+
 TEST(VoxelLoad, AThinCantileverBendsAsABeam) {
   // A wall of two voxels, sheared at its top between clamps that do not turn: 12 E I/L^3, with shear deformation.
   constexpr int thick = 2, deep = 4, length = 64;

@@ -92,7 +92,7 @@ struct Cholesky::State {
   }
 };
 
-Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
+Cholesky::Cholesky(BlockMatrix m) : state_(std::make_unique<State>()) {
   cholmod_common& common = state_->common;
   const int side = m.side;
   const auto n = static_cast<std::size_t>(side) * static_cast<std::size_t>(m.columns());
@@ -116,6 +116,7 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
     }
   begin[n] = k;
   auto order = ordering(m);
+  m = {};
   const NoOpenMp one_thread;
   state_->factor = cholmod_analyze_p(a, order.data(), nullptr, 0, &common);
   if (state_->factor) {

@@ -17,7 +17,8 @@ struct BlockMatrix {
 /// A direct solver of one matrix: CHOLMOD's supernodal factor, nodes ordered by AMD.
 class Cholesky {
  public:
-  explicit Cholesky(const BlockMatrix& matrix);
+  /// The matrix is gone before the factor, which is many times as large, is there.
+  explicit Cholesky(BlockMatrix matrix);
   ~Cholesky();
 
   /// False where a pivot was not positive; then solve() must not be called.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -32,7 +33,26 @@ struct Boxes : Extent {
     const auto box = std::min(static_cast<std::int32_t>(share), count[k] - 1);
     return {box, share - box};
   }
+  bool is_one() const { return count == std::array{1, 1, 1}; }
 };
+
+/// How far a place lies along each axis of a box weighs its multilinear hats, one for each corner.
+template <int D> std::array<float, 1 << D> hats(const std::array<double, D>& share) {
+  std::array<float, 1 << D> weight;
+  weight.fill(1);
+  for (std::size_t axis = 0; axis < D; ++axis)
+    for (std::size_t c = 0; c < weight.size(); ++c)
+      weight[c] *= static_cast<float>(c >> axis & 1 ? share[axis] : 1 - share[axis]);
+  return weight;
+}
+
+/// The functions 1, x, y (and z) of a box that shares nothing with others: all rigid motions and uniform strains of a
+/// grain with half as many unknowns as its corners have.
+template <int D> std::array<float, 1 << D> affine(const std::array<double, D>& share) {
+  std::array<float, 1 << D> weight{1};
+  for (std::size_t axis = 0; axis < D; ++axis) weight[axis + 1] = static_cast<float>(share[axis] - 0.5);
+  return weight;
+}
 
 /// visit(row, column, block) for each block of the lower triangle.
 template <class Visit> void each_block(const BlockMatrix& m, const Visit& visit) {
@@ -45,7 +65,7 @@ template <class Visit> void each_block(const BlockMatrix& m, const Visit& visit)
 }  // namespace
 
 template <int D>
-CoarseCycle<D>::CoarseCycle(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places)
+CoarseCycle<D>::CoarseCycle(BlockMatrix matrix, const std::vector<CoarsePlace>& places)
     : n_(static_cast<std::size_t>(matrix.columns())),
       column_begin_(matrix.column_begin),
       row_(matrix.row),
@@ -54,7 +74,10 @@ CoarseCycle<D>::CoarseCycle(const BlockMatrix& matrix, const std::vector<CoarseP
   invert_diagonal(matrix);
   set_steps();
   cut(matrix, places);
-  factorise(matrix);
+  BlockMatrix coarse = product(matrix);
+  matrix = {};
+  factor_.emplace(std::move(coarse));
+  load_.resize(static_cast<std::size_t>(D * functions_));
 }
 
 template <int D> void CoarseCycle<D>::invert_diagonal(const BlockMatrix& matrix) {
@@ -89,28 +112,32 @@ template <int D> void CoarseCycle<D>::set_steps() {
 }
 
 template <int D> void CoarseCycle<D>::cut(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places) {
-  constexpr std::size_t corners = 1 << D;
   std::unordered_map<std::int32_t, Boxes> boxes;
   for (const CoarsePlace& p : places) boxes[p.owner].meet(p.at);
   for (auto& [owner, of_owner] : boxes) of_owner.cut();
   std::vector<std::array<std::int32_t, 3>> box(n_);
-  corner_.resize(n_);
+  std::vector<bool> whole(n_);
+  function_.resize(n_);
   weight_.resize(n_);
   for (std::size_t k = 0; k < n_; ++k) {
     const Boxes& of_owner = boxes[places[k].owner];
-    weight_[k].fill(1);
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const auto [which, share] = of_owner.place(axis, places[k].at[axis]);
-      box[k][axis] = which;
-      for (std::size_t c = 0; c < corners; ++c) weight_[k][c] *= static_cast<float>(c >> axis & 1 ? share : 1 - share);
-    }
+    std::array<double, D> share;
+    for (std::size_t axis = 0; axis < D; ++axis)
+      std::tie(box[k][axis], share[axis]) = of_owner.place(axis, places[k].at[axis]);
+    whole[k] = of_owner.is_one();
+    weight_[k] = whole[k] ? affine<D>(share) : hats<D>(share);
   }
-  // Coarse nodes of one owner that are coupled share the corners that their boxes have in common.
-  JoinedSets sets(corners * n_);
+  // Coarse nodes of one owner that are coupled have the functions of a box in common, in neighbouring boxes those of
+  // the corners that both have.
+  constexpr int functions = 1 << D;
+  JoinedSets sets(functions * n_);
+  const auto join = [&](std::int32_t r, int a, std::int32_t c, int b) {
+    sets.join(functions * r + a, functions * c + b);
+  };
   each_block(matrix, [&](std::int32_t r, std::int32_t c, const double*) {
     const auto ur = static_cast<std::size_t>(r), uc = static_cast<std::size_t>(c);
     if (r == c || places[ur].owner != places[uc].owner) return;
-    for (int a = 0; a < static_cast<int>(corners); ++a) {
+    for (int a = 0; a < functions; ++a) {
       int b = 0;
       bool shared = true;
       for (std::size_t axis = 0; axis < D; ++axis) {
@@ -118,28 +145,31 @@ template <int D> void CoarseCycle<D>::cut(const BlockMatrix& matrix, const std::
         shared = shared && (there == 0 || there == 1);
         b |= there << axis;
       }
-      if (shared) sets.join(static_cast<std::int32_t>(corners) * r + a, static_cast<std::int32_t>(corners) * c + b);
+      if (shared) join(r, a, c, b);
     }
   });
-  std::vector<std::int32_t> number(corners * n_);
+  // What an affine box has no use for is counted as its first function, with weight 0.
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(n_); ++k)
+    for (int a = D + 1; whole[static_cast<std::size_t>(k)] && a < functions; ++a) join(k, 0, k, a);
+  std::vector<std::int32_t> number(functions * n_);
   for (std::size_t k = 0; k < number.size(); ++k) {
     const auto root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(k)));
-    number[k] = root == k ? corners_++ : number[root];
-    corner_[k / corners][k % corners] = number[k];
+    number[k] = root == k ? functions_++ : number[root];
+    function_[k / functions][k % functions] = number[k];
   }
 }
 
-template <int D> void CoarseCycle<D>::factorise(const BlockMatrix& matrix) {
-  // The product with the hats from both sides, gathered by the pairs of corners.
-  std::vector<std::unordered_map<std::int32_t, std::array<double, D * D>>> columns(static_cast<std::size_t>(corners_));
+template <int D> BlockMatrix CoarseCycle<D>::product(const BlockMatrix& matrix) const {
+  std::vector<std::unordered_map<std::int32_t, std::array<double, D * D>>> columns(
+      static_cast<std::size_t>(functions_));
   each_block(matrix, [&](std::int32_t r, std::int32_t c, const double* block) {
     const auto ur = static_cast<std::size_t>(r), uc = static_cast<std::size_t>(c);
     for (std::size_t a = 0; a < weight_[ur].size(); ++a)
       for (std::size_t b = 0; b < weight_[uc].size(); ++b) {
         const double w = static_cast<double>(weight_[ur][a]) * static_cast<double>(weight_[uc][b]);
         if (w == 0) continue;
-        const std::int32_t m = corner_[ur][a], n = corner_[uc][b];
-        // A block on the diagonal has all pairs of corners, so that those above it are left out; a block off the
+        const std::int32_t m = function_[ur][a], n = function_[uc][b];
+        // A block on the diagonal has all pairs of functions, so that those above it are left out; a block off the
         // diagonal stands for its mirror image too.
         if (r == c && m < n) continue;
         auto& to = columns[static_cast<std::size_t>(std::min(m, n))][std::max(m, n)];
@@ -154,7 +184,7 @@ template <int D> void CoarseCycle<D>::factorise(const BlockMatrix& matrix) {
   coarse.side = D;
   coarse.column_begin.assign(1, 0);
   double stiffest = 0;
-  for (std::int32_t c = 0; c < corners_; ++c) {
+  for (std::int32_t c = 0; c < functions_; ++c) {
     std::vector<std::int32_t> rows{c};
     auto& column = columns[static_cast<std::size_t>(c)];
     for (const auto& [r, block] : column)
@@ -169,13 +199,12 @@ template <int D> void CoarseCycle<D>::factorise(const BlockMatrix& matrix) {
     coarse.column_begin.push_back(static_cast<std::int32_t>(coarse.row.size()));
   }
   // Boxes that are flat, or hold few coarse nodes, carry more functions than these have freedoms.
-  for (std::int32_t c = 0; c < corners_; ++c)
+  for (std::int32_t c = 0; c < functions_; ++c)
     for (std::size_t a = 0; a < D; ++a) {
       double& own = coarse.value[static_cast<std::size_t>(coarse.column_begin[c]) * D * D + a * (D + 1)];
       own += 1e-6 * own + 1e-9 * stiffest;
     }
-  factor_.emplace(coarse);
-  load_.resize(static_cast<std::size_t>(D * corners_));
+  return coarse;
 }
 
 template <int D> void CoarseCycle<D>::apply(const Vector& x, Vector& y) const {
@@ -227,13 +256,13 @@ template <int D> void CoarseCycle<D>::correct(const Vector& b) {
   for (std::size_t k = 0; k < n_; ++k)
     for (std::size_t c = 0; c < weight_[k].size(); ++c)
       for (std::size_t a = 0; a < D; ++a)
-        load_[static_cast<std::size_t>(D * corner_[k][c]) + a] +=
+        load_[static_cast<std::size_t>(D * function_[k][c]) + a] +=
             static_cast<double>(weight_[k][c] * (b[D * k + a] - f_[D * k + a]));
   factor_->solve(load_);
   for (std::size_t k = 0; k < n_; ++k)
     for (std::size_t c = 0; c < weight_[k].size(); ++c)
       for (std::size_t a = 0; a < D; ++a)
-        x_[D * k + a] += weight_[k][c] * static_cast<float>(load_[static_cast<std::size_t>(D * corner_[k][c]) + a]);
+        x_[D * k + a] += weight_[k][c] * static_cast<float>(load_[static_cast<std::size_t>(D * function_[k][c]) + a]);
 }
 
 template <int D> void CoarseCycle<D>::solve(std::vector<double>& b) {

@@ -16,11 +16,12 @@ struct CoarsePlace {
 };
 
 /// The third level, for coarse matrices whose factor would outgrow the sample: Chebyshev steps on the matrix, a
-/// correction by multilinear hats on the bounding box of every grain, and the same steps again. Boxes of owners that
-/// reach far are cut into smaller ones, and what does not hang together in a box is told apart. Symmetric and positive.
+/// correction by a few functions of the place in every grain, and the same steps again. A grain moves and strains
+/// uniformly; owners that reach far are cut into boxes with multilinear hats, and what does not hang together in a box
+/// is told apart. Symmetric and positive.
 template <int D> class CoarseCycle {
  public:
-  CoarseCycle(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places);
+  CoarseCycle(BlockMatrix matrix, const std::vector<CoarsePlace>& places);
 
   /// False where a pivot of the last matrix was not positive.
   bool positive() const { return factor_->positive(); }
@@ -32,7 +33,8 @@ template <int D> class CoarseCycle {
   void invert_diagonal(const BlockMatrix& matrix);
   void set_steps();
   void cut(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places);
-  void factorise(const BlockMatrix& matrix);
+  /// The product with the functions from both sides.
+  BlockMatrix product(const BlockMatrix& matrix) const;
   void apply(const Vector& x, Vector& y) const;
   void precondition(const Vector& r, Vector& z) const;
   void smooth(const Vector& b, bool from_zero);
@@ -42,9 +44,9 @@ template <int D> class CoarseCycle {
   std::vector<std::int32_t> column_begin_, row_;
   Vector value_, inverse_;  ///< of the matrix, D^2 a block, and of its diagonal blocks
   std::vector<ChebyshevStep> steps_;
-  std::vector<std::array<std::int32_t, 1 << D>> corner_;  ///< of every coarse node: the corners of its box
-  std::vector<std::array<float, 1 << D>> weight_;
-  std::int32_t corners_ = 0;
+  std::vector<std::array<std::int32_t, 1 << D>> function_;  ///< of every coarse node: those of its box
+  std::vector<std::array<float, 1 << D>> weight_;           ///< of each there
+  std::int32_t functions_ = 0;
   std::optional<Cholesky> factor_;
   Vector x_, older_, f_, right_;
   std::vector<double> load_;

@@ -8,7 +8,6 @@
 #include "core/joined_sets.hpp"
 #include "solid/statics/cholesky.hpp"
 #include "solid/statics/couplings.hpp"
-#include "solid/statics/hats.hpp"
 
 namespace arenite::statics {
 
@@ -45,15 +44,15 @@ CoarseSpaceIn<D>::CoarseSpaceIn(const Grid& grid, Aggregates aggregates, const G
       aggregates_(std::move(aggregates)) {
   number_corners(sums);
   list_runs(prescribed);
-  BlockMatrix matrix = pattern(sums);
-  const double stiffest_corner = assemble(sums, matrix);
+  factorise(sums);
   aggregates_.of_node = {};  // runs tell it from here on
-  factorise(matrix, stiffest_corner);
   load_.resize(static_cast<std::size_t>(D * nodes_));
   moments_.resize(D * moments * aggregates_.list.size());
 }
 
-template <int D> void CoarseSpaceIn<D>::factorise(BlockMatrix& matrix, double stiffest_corner) {
+template <int D> BlockMatrix CoarseSpaceIn<D>::stiffened(const GalerkinSums<D>& sums) const {
+  BlockMatrix matrix = pattern(sums);
+  const double stiffest_corner = assemble(sums, matrix);
   // An aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a
   // trace of stiffness on the diagonal keeps these apart and is too small to slow anything down.
   const auto diagonal = [&](std::int32_t c, int a) -> double& {
@@ -69,13 +68,20 @@ template <int D> void CoarseSpaceIn<D>::factorise(BlockMatrix& matrix, double st
   for (std::int32_t c = 0; c < matrix.columns(); ++c) stiffest = std::max(stiffest, trace(c));
   // Nothing holds a periodic sample: one coarse node is held, as firmly as a corner of a cell by the others.
   for (int a = 0; grid_.periodic && a < D; ++a) diagonal(0, a) += stiffest_corner;
-  for (double extra = 1e-7;; extra *= 100, ++repairs_) {
+  double extra = 1e-7;
+  for (int time = 0; time <= repairs_; ++time, extra *= 100)
     for (std::int32_t c = 0; c < matrix.columns(); ++c) {
       const double more = extra * trace(c) + 1e-3 * extra * stiffest;
       for (int a = 0; a < D; ++a) diagonal(c, a) += more;
     }
-    if (matrix.columns() > most_direct(D)) cycle_.emplace(matrix, places());
-    else factor_.emplace(matrix);
+  return matrix;
+}
+
+template <int D> void CoarseSpaceIn<D>::factorise(const GalerkinSums<D>& sums) {
+  // A repair works the sums out anew: kept, the matrix would lie beside its factor when most memory is held.
+  for (;; ++repairs_) {
+    if (nodes_ > most_direct(D)) cycle_.emplace(stiffened(sums), places());
+    else factor_.emplace(stiffened(sums));
     if ((cycle_ ? cycle_->positive() : factor_->positive()) || repairs_ == 3) break;
   }
 }
@@ -184,13 +190,9 @@ template <int D> void CoarseSpaceIn<D>::list_runs(const std::vector<std::uint8_t
         while (x + length < end && aggregates_.of_node[i + length] == aggregate) ++length;
         const auto level = static_cast<std::size_t>(grid_.in_space() ? z : y);
         if (aggregate >= 0) {
-          runs_.push_back({i,
-                           aggregate,
-                           static_cast<std::int16_t>(x % side),
-                           static_cast<std::int16_t>(length),
-                           {},
+          runs_.push_back({i, aggregate, static_cast<std::int16_t>(length), static_cast<std::int16_t>(x % side),
+                           static_cast<std::int16_t>(y % side), static_cast<std::int16_t>(z % side),
                            prescribed[level] == normal_component<D>});
-          set_monomials(static_cast<float>(y % side), static_cast<float>(z % side), runs_.back().monomials);
         }
         x += length;
       }
@@ -200,6 +202,7 @@ template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, Po
   std::fill(moments_.begin(), moments_.end(), 0.0f);
   for (const Run& run : runs_) {
     const auto from = static_cast<float>(run.x);
+    const auto monomials = run.monomials();
     const float* at[D];
     float sum[D] = {}, first[D] = {};
     for (int c = 0; c < D; ++c) at[c] = r[c] + run.begin;
@@ -217,8 +220,8 @@ template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, Po
       first[c] += from * sum[c];
 #pragma GCC unroll 4
       for (std::size_t k = 0; k < moments / 2; ++k) {
-        m[2 * k] += run.monomials[k] * sum[c];
-        m[2 * k + 1] += run.monomials[k] * first[c];
+        m[2 * k] += monomials[k] * sum[c];
+        m[2 * k + 1] += monomials[k] * first[c];
       }
     }
   }
@@ -244,6 +247,7 @@ template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, Po
   });
   for (const Run& run : runs_) {
     const auto from = static_cast<float>(run.x);
+    const auto monomials = run.monomials();
     const float* m = &moments_[D * moments * static_cast<std::size_t>(run.aggregate)];
     float* at[D];
     float value[D] = {}, slope[D] = {};
@@ -252,8 +256,8 @@ template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, Po
       if (run.slides && c == D - 1) continue;
 #pragma GCC unroll 4
       for (std::size_t k = 0; k < moments / 2; ++k) {
-        value[c] += run.monomials[k] * m[2 * k];
-        slope[c] += run.monomials[k] * m[2 * k + 1];
+        value[c] += monomials[k] * m[2 * k];
+        slope[c] += monomials[k] * m[2 * k + 1];
       }
       value[c] += from * slope[c];
     }

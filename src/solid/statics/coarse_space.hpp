@@ -9,6 +9,7 @@
 #include "solid/statics/coarse_cycle.hpp"
 #include "solid/statics/couplings.hpp"
 #include "solid/statics/grid.hpp"
+#include "solid/statics/hats.hpp"
 
 namespace arenite::statics {
 
@@ -34,15 +35,23 @@ template <int D> class CoarseSpaceIn {
   struct Run {
     std::ptrdiff_t begin;
     std::int32_t aggregate;
-    std::int16_t x, length;                    ///< of the first node, in its cell
-    std::array<float, moments / 2> monomials;  ///< 1, y, (z, y z): of the row in its cell
-    bool slides;                               ///< does not move across the clamps
+    std::int16_t length, x, y, z;  ///< of the first node in its cell
+    bool slides;                   ///< does not move across the clamps
+
+    /// 1, y, (z, y z): of the row in its cell.
+    std::array<float, moments / 2> monomials() const {
+      std::array<float, moments / 2> of;
+      set_monomials(y, z, of);
+      return of;
+    }
   };
   void number_corners(const GalerkinSums<D>& sums);
   BlockMatrix pattern(const GalerkinSums<D>& sums) const;
   /// Returns the stiffest entry of a coupling.
   double assemble(const GalerkinSums<D>& sums, BlockMatrix& matrix) const;
-  void factorise(BlockMatrix& matrix, double stiffest_corner);
+  /// The matrix with its diagonal stiffened once and for every repair once more.
+  BlockMatrix stiffened(const GalerkinSums<D>& sums) const;
+  void factorise(const GalerkinSums<D>& sums);
   std::vector<CoarsePlace> places() const;
   void solve();
   void list_runs(const std::vector<std::uint8_t>& prescribed);
