@@ -33,11 +33,12 @@ Numbers shapes_of(Grains grains, NumberBlock& block) {
           {"y", block.add_reals(mapped(rim, &Vec2::y), "m")}};
 }
 
-/// What the page knows of every grain in a state: place and angle, pressure and deviator of its stress, the mean ratio
-/// of its forces, velocity and spin. Of a state at rest the last two are left out.
+/// What the page knows of every grain in a state: its contacts, place and angle, pressure and deviator of its stress,
+/// the mean ratio of its forces, velocity and spin. Of a state at rest the last two are left out.
 void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block) {
   if (std::ranges::any_of(packing.contacts.ft, [](double force) { return force != 0; }))
     out["friction"] = block.add_coarse(texture::mobilisations(packing));
+  out["coordination"] = block.add_indices(texture::values_of(packing, "coordination"));
   const Grains& grains = packing.grains;
   add_columns(out, grains, io::grain_state_columns, {"x", "y", "angle"}, block);
   out["pressure"] = block.add_reals(mapped(stresses, texture::pressure), "Pa");

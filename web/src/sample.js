@@ -137,11 +137,6 @@ export class Sample {
     return (snapshot.byGrain = { start, list });
   }
 
-  coordination(snapshot, grain) {
-    const { start } = this.contactsByGrain(snapshot);
-    return start[grain + 1] - start[grain];
-  }
-
   /** The box that holds what is to be seen of all states of a snapshot's stage, so that the picture stands still while
       they pass; of a sample that failed that of the states until then and a margin, for its pieces fly far. */
   extent(k) {

@@ -47,7 +47,7 @@ function grainNumbers(g, sample, snapshot, theme) {
     ["diameter", text.millimetres(2 * sample.radius[g])],
     ["\u03c3_{hyd}", text.quantity(-snapshot.pressure[g], snapshot.pressure.unit)],
     ["\u03c3_{norm}", text.number(snapshot.sigmaNorm[g])],
-    ["contacts z", String(sample.coordination(snapshot, g))],
+    ["contacts z", String(snapshot.coordination[g])],
   ];
   if (sample.zone[g]) rows.push(["zone", String(sample.zone[g])]);
   const title = `Grain ${sample.id[g]}, ${sample.materialName(g)}`;

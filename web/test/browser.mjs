@@ -1,3 +1,4 @@
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { chromium } from "playwright-core";
@@ -59,6 +60,22 @@ export function watch(page) {
     if (!/^(file|data|blob):/.test(request.url())) seen.requests.push(request.url());
   });
   return seen;
+}
+
+export const pause = 400; // ms: longer than a view in space waits until it is at rest
+
+/** The same page in a context of its own, on which nothing may go wrong. */
+export async function elsewhere(page, options, prepare, then) {
+  await besideIt(page, options, async (context) => {
+    const other = await context.newPage(),
+      { errors } = watch(other);
+    if (prepare) await other.addInitScript(prepare);
+    await other.goto(page.url().split("#")[0]);
+    await other.waitForSelector("html[data-ready]");
+    await other.waitForTimeout(pause);
+    await then(other);
+    assert.deepEqual(errors, []);
+  });
 }
 
 /** Reads painted pixels: takes a screenshot and gives a function from a place on the page to [r, g, b]. */

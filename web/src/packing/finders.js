@@ -6,7 +6,7 @@ export const finders = {
   x: { find: (sample, snapshot) => snapshot.x },
   y: { find: (sample, snapshot) => snapshot.y },
   size: { find: (sample) => sample.radius.map((r) => 2 * r) },
-  coordination: { find: (sample, snapshot) => byGrain(sample, (g) => sample.coordination(snapshot, g)) },
+  coordination: { find: (sample, snapshot) => snapshot.coordination },
   pressure: { find: (sample, snapshot) => snapshot.pressure },
   deviator: { when: has("deviator"), find: (sample, snapshot) => snapshot.deviator },
   stress: { find: (sample, snapshot) => snapshot.sigmaNorm },
@@ -36,4 +36,3 @@ function has(name) {
   return (sample) => sample.about.snapshots.some((snapshot) => snapshot[name]);
 }
 
-const byGrain = (sample, of) => Float64Array.from({ length: sample.count }, (_, g) => of(g));

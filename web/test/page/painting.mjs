@@ -33,7 +33,7 @@ test("grains carry their material's colour", async (page) => {
 test("the legend has the colours of the grains, which are paler under force chains", async (page) => {
   const alone = await page.evaluate(() => {
     const { view, sample } = window.arenite;
-    return [...sample.radius.keys()].find((g) => sample.coordination(view.snapshot, g) === 0);
+    return [...sample.radius.keys()].find((g) => view.snapshot.coordination[g] === 0);
   });
   const { x, y, material } = await grain(page, alone);
   for (const [chains, pale] of [

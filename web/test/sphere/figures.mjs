@@ -1,7 +1,8 @@
 // Headlines, figures and curves of the page of a small triaxial test of spheres.
 import assert from "node:assert/strict";
+import { pause } from "../browser.mjs";
 import { settle } from "../run.mjs";
-import { asItBegins, get, pause, pictureWith, set } from "./looking.mjs";
+import { asItBegins, get, pictureWith, set } from "./looking.mjs";
 
 export const tests = [];
 const test = (name, run) => tests.push({ name, run });

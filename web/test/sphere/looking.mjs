@@ -1,11 +1,9 @@
 // What the tests of the page of spheres look at it by.
-import assert from "node:assert/strict";
-import { besideIt, difference, painted } from "../browser.mjs";
+import { difference, painted, pause } from "../browser.mjs";
 import { rgb } from "../run.mjs";
 
 export const card = rgb("#ffffff"),
   glass = rgb("#5b8fc9");
-export const pause = 400; // ms: longer than the view waits until it is at rest
 export const asItBegins = {
   show: "material",
   chains: false,
@@ -54,19 +52,3 @@ export const placesIn = (page) =>
   });
 
 export const differs = (a, b) => difference(a, b) > 12;
-
-/** The same page in a context of its own, with what it says of errors. */
-export async function elsewhere(page, options, prepare, then) {
-  await besideIt(page, options, async (context) => {
-    const other = await context.newPage(),
-      errors = [];
-    other.on("pageerror", (error) => errors.push(error.message));
-    other.on("console", (message) => message.type() === "error" && errors.push(message.text()));
-    if (prepare) await other.addInitScript(prepare);
-    await other.goto(page.url().split("#")[0]);
-    await other.waitForSelector("html[data-ready]");
-    await other.waitForTimeout(pause);
-    await then(other);
-    assert.deepEqual(errors, []);
-  });
-}

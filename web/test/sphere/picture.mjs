@@ -1,13 +1,12 @@
 // The spheres that the page of a small triaxial test paints: colours, cuts, forces, states, pointer.
 import assert from "node:assert/strict";
-import { difference, painted, saved } from "../browser.mjs";
+import { difference, elsewhere, painted, saved } from "../browser.mjs";
 import { becomes, rgb, settle } from "../run.mjs";
 import {
   asItBegins,
   canvasOf,
   card,
   differs,
-  elsewhere,
   get,
   glass,
   pictureWith,

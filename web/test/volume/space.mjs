@@ -1,13 +1,12 @@
 // The picture of a sample in space: turned, cut, saved, on a phone.
 import assert from "node:assert/strict";
-import { besideIt, difference, painted, saved } from "../browser.mjs";
+import { difference, elsewhere, painted, pause, saved } from "../browser.mjs";
 import { becomes, rgb } from "../run.mjs";
 import { kind, set, get, boxOf } from "./looking.mjs";
 
 export const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
-const pause = 400; // ms: longer than the view waits until it is at rest
 
 /** Places of the picture in space around which three pixels show the same voxel, with its phase; 0 where none is. */
 const inSpace = (page) =>
@@ -24,22 +23,6 @@ const inSpace = (page) =>
       }
     return found;
   });
-
-/** The same page in a context of its own, with what it says of errors. */
-async function elsewhere(page, options, prepare, then) {
-  await besideIt(page, options, async (context) => {
-    const other = await context.newPage(),
-      errors = [];
-    other.on("pageerror", (error) => errors.push(error.message));
-    other.on("console", (message) => message.type() === "error" && errors.push(message.text()));
-    if (prepare) await other.addInitScript(prepare);
-    await other.goto(page.url().split("#")[0]);
-    await other.waitForSelector("html[data-ready]");
-    await other.waitForTimeout(pause);
-    await then(other);
-    assert.deepEqual(errors, []);
-  });
-}
 
 /** One finger that goes from the middle of the picture by (dx, dy). */
 async function swipe(page, dx, dy) {
