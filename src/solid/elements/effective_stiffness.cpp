@@ -66,7 +66,7 @@ template <int D> EffectiveStiffness<D> effective_stiffness_in(const MapIn<D>& ma
   if (result.support.carrying == 0) return result;
   const Grid& grid = elements.grid;
   const std::vector<std::uint8_t> free(static_cast<std::size_t>(grid.levels()), statics::nothing_prescribed);
-  const int side = side_in_period<D>(elements.cells, coarse_side<D>(options));
+  const int side = side_in_period<D>(elements.cells, coarse_side<D>(options, elements.count()));
   statics::StaticSolver<ElementsIn<D>> solver(elements, cut_into_aggregates<D>(map, elements, free, side), free);
   const int longest = *std::max_element(elements.cells.begin(), elements.cells.end());
   for (std::size_t k = 0; k < voigt_count<D>; ++k) {

@@ -16,8 +16,13 @@ template <int D> int most_iterations(const SolveOptions& options) {
   return (D == 2 ? 1 : 4) * statics::usual_cap(options.tolerance);
 }
 
-template <int D> int coarse_side(const SolveOptions& options) {
-  return options.cell > 0 ? options.cell : D == 2 ? Aggregates::cell : 8;
+/// With wider cells a sample in space takes a few iterations more, in as much time; where it is large they spare
+/// memory.
+template <int D> int coarse_side(const SolveOptions& options, std::size_t elements) {
+  if (options.cell > 0) return options.cell;
+  if (D == 2) return Aggregates::cell;
+  constexpr std::size_t large = std::size_t{1} << 23;
+  return elements < large ? 8 : elements < 8 * large ? 12 : 16;
 }
 
 template <int D> FieldIn<D, double> forces_of(const ElementsIn<D>& elements, const FieldIn<D, double>& u) {
@@ -34,7 +39,8 @@ statics::StaticReport solve_here(const MapIn<D>& map, const ElementsIn<D>& eleme
                                  const std::vector<std::uint8_t>& prescribed, const LoadOptions& options,
                                  FieldIn<D, double>& u) {
   statics::StaticSolver<ElementsIn<D>> solver(
-      elements, cut_into_aggregates<D>(map, elements, prescribed, coarse_side<D>(options)), prescribed);
+      elements, cut_into_aggregates<D>(map, elements, prescribed, coarse_side<D>(options, elements.count())),
+      prescribed);
   return solver.solve(elements, u, options.tolerance, most_iterations<D>(options), options.watch);
 }
 
@@ -93,8 +99,8 @@ statics::EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions
 
 template int most_iterations<2>(const SolveOptions& options);
 template int most_iterations<3>(const SolveOptions& options);
-template int coarse_side<2>(const SolveOptions& options);
-template int coarse_side<3>(const SolveOptions& options);
+template int coarse_side<2>(const SolveOptions& options, std::size_t elements);
+template int coarse_side<3>(const SolveOptions& options, std::size_t elements);
 template FieldIn<2, double> forces_of(const Elements& elements, const FieldIn<2, double>& u);
 template FieldIn<3, double> forces_of(const Voxels& elements, const FieldIn<3, double>& u);
 

@@ -15,12 +15,12 @@ namespace arenite::elements {
 struct SolveOptions {
   double tolerance = 1e-6;  ///< of the residual, relative to that of uniform strain
   int max_iterations = 0;   ///< 0: 50 in the plane and 200 in space, more for tolerances below 1e-6
-  int cell = 0;             ///< elements a side of the coarse cells; 0: 16 in the plane and 8 in space (thin struts: 4)
+  int cell = 0;  ///< elements a side of the coarse cells; 0: 16 in the plane, 8 to 16 in space (thin struts: 4)
   Material material{};
   statics::Watch watch{};
 };
-/// What 0 stands for.
-template <int D> int coarse_side(const SolveOptions& options);
+/// What 0 stands for, in a sample of so many elements.
+template <int D> int coarse_side(const SolveOptions& options, std::size_t elements);
 template <int D> int most_iterations(const SolveOptions& options);
 
 /// Another way to the equilibrium of a sample in space than statics::StaticSolver, with the meaning of its arguments:
