@@ -55,18 +55,30 @@ py::array_t<double> mobilisations_of(const Packing_& packing, std::optional<doub
   return taken_over(call.without_lock([&] { return texture::mobilisations(packing, friction); }));
 }
 
-/// Coarse-grained fields as pictures show them, on a grid whose lines are at x and y.
-py::dict layers_of(const StageResult& stage, const Snapshot& state) {
+/// Coarse-grained fields as pictures show them, on a grid whose lines are at x, y and, in space, z.
+template <int D> py::dict layers_of(const StageResultIn<D>& stage, const SnapshotIn<D>& state) {
   Call call;
-  const auto f = call.without_lock(
-      [&] { return fields::fields_to_show(state.packing, fields::shear_rate_at(stage.history, state.time)); });
+  const auto f = call.without_lock([&] {
+    return fields::fields_to_show(state.packing, fields::shear_rate_at(stage.history, state.time),
+                                  fields::grid_to_show(state.packing));
+  });
+  constexpr std::array names{"x", "y", "z"};
+  std::vector<py::ssize_t> shape;
   py::dict d;
-  d["x"] = taken_over(f.grid.lines(0));
-  d["y"] = taken_over(f.grid.lines(1));
-  for (const fields::CoarseLayer& layer : fields::coarse_layers())
-    if (!layer.is_of_motion || fields::are_in_motion(f))
-      d[py::str(layer.name)] = taken_over(fields::values_of(layer, f), {f.grid.count.y, f.grid.count.x});
+  for (int axis = D - 1; axis >= 0; --axis) shape.push_back(f.grid.count[axis]);
+  for (int axis = 0; axis < D; ++axis) d[names[static_cast<std::size_t>(axis)]] = taken_over(f.grid.lines(axis));
+  for (const auto& layer : fields::coarse_layers<D>())
+    if (fields::has_layer(layer, f)) d[py::str(layer.name)] = taken_over(fields::values_of(layer, f), shape);
   return d;
+}
+
+/// Layers of the plane or of space.
+template <int D> void bind_layers_of(py::module_& m, const char* layers) {
+  m.def(
+      layers, [] { return to_python(report::named_kinds(fields::coarse_layers<D>())); },
+      "{name: [label, symbol, unit, formula, scale of colours]} of pictures of coarse-grained fields.");
+  m.def("_layers_of_state", &layers_of<D>, py::arg("stage"), py::arg("state"),
+        "Coarse-grained fields of a state by their names, (layers,) rows from below, and x, y (, z) of their places.");
 }
 
 template <class Work> std::pair<double, double> scale_of(Work&& work) {
@@ -115,11 +127,8 @@ void bind_colourings(py::module_& m) {
   m.def(
       "_grain_quantities", [] { return to_python(report::named_kinds(texture::grain_quantities())); },
       "{name: [label, symbol, unit, formula, scale of colours]} of what grains are drawn by.");
-  m.def(
-      "_coarse_layers", [] { return to_python(report::named_kinds(fields::coarse_layers())); },
-      "{name: [label, symbol, unit, formula, scale of colours]} of pictures of coarse-grained fields.");
-  m.def("_layers_of_state", &layers_of, py::arg("stage"), py::arg("state"),
-        "Coarse-grained fields of a state by their names, rows from below, and x, y of their columns and rows.");
+  bind_layers_of<2>(m, "_coarse_layers");
+  bind_layers_of<3>(m, "_coarse_layers_in_space");
 }
 
 void bind_maps_of_films(py::module_& m) {

@@ -23,6 +23,14 @@ const Head coarse_fields{
     {"Fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide as a "
      "grain, which satisfy the balances of mass and momentum.",
      "Stress includes its kinetic part; compression is positive, except for the shear stress. Arrows: velocity."}};
+const Head coarse_slices{
+    "coarse-fields",
+    "coarse-fields",
+    "Coarse-grained fields",
+    {"Slices of fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide "
+     "as a grain, which satisfy the balances of mass and momentum.",
+     "Stress includes its kinetic part; compression is positive, except for shear stresses."},
+    true};
 const Head grain_scatter{
     "grain-scatter", "grain-scatter", "Grains",
     "One point per grain of the state shown, in the colour of its material; a click marks the grain in the picture and "
@@ -79,7 +87,7 @@ std::vector<Head> field_heads() { return heads_of(field_figures()); }
 std::vector<Head> voxel_heads() { return heads_of(voxel_figures()); }
 std::vector<Head> sphere_heads() {
   std::vector<Head> all = heads_of(sphere_figures());
-  all.insert(std::ranges::find(all, std::string("rev"), &Head::id), grain_scatter);
+  all.insert(std::ranges::find(all, std::string("rev"), &Head::id), {grain_scatter, coarse_slices});
   return all;
 }
 std::vector<Head> heads_over_runs() { return heads_of(figures_over_runs()); }

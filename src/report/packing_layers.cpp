@@ -196,12 +196,15 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
 
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block) {
   if (!fields::has_fields(packing)) return {};
-  const auto f = fields::fields_to_show(packing, shear_rate);
-  const auto& [low, high, count] = f.grid;
-  Numbers out{
-      {"bounds", {low.x, high.x, low.y, high.y}}, {"columns", count.x}, {"rows", count.y}, {"width", f.grid.step().x}};
-  for (const fields::CoarseLayer& layer : fields::coarse_layers())
-    if (layer.formula.empty() && (!layer.is_of_motion || fields::are_in_motion(f)))
+  const fields::Grid grid = fields::grid_to_show(packing);
+  const auto f = fields::fields_to_show(packing, shear_rate, grid);
+  const auto& [low, high, count] = grid;
+  Numbers out{{"bounds", {low.x, high.x, low.y, high.y}},
+              {"columns", count.x},
+              {"rows", count.y},
+              {"width", fields::width_to_show(packing, grid)}};
+  for (const auto& layer : fields::coarse_layers<2>())
+    if (layer.formula.empty() && fields::has_layer(layer, f))
       out[layer.name] = block.add_coarse(fields::values_of(layer, f), std::string(layer.unit));
   return out;
 }

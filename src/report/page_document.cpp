@@ -253,7 +253,7 @@ PageDocument page_document(const PageData& data) {
   const ShownGrains grains(mapped(shown, &ShownStage::result));
   if (last) {
     document["quantities"] = named_kinds(texture::grain_quantities());
-    document["layers"] = named_kinds(fields::coarse_layers());
+    document["layers"] = named_kinds(fields::coarse_layers<2>());
     document["materials"] = materials_of(last->packing.materials);
     document["grains"] = grains_of(grains.all(), block);
   }

@@ -17,6 +17,7 @@
 
 #include "core/mapped.hpp"
 #include "geometry/face.hpp"
+#include "grains/fields/coarse_layers.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "report/figures/headlines.hpp"
@@ -30,6 +31,7 @@ namespace {
 
 constexpr std::size_t most_forces = 100'000;
 constexpr std::size_t most_spheres = 400'000;  // of all stored states together, each of about 30 bytes of the page
+constexpr std::size_t most_cells = 60'000;     // of the fields of all states together, each of about 10 bytes
 
 /// Container: lowest corner and size, m; which axes are periodic, by how much the cell above is shifted along x, m, and
 /// which sides are walls.
@@ -153,6 +155,32 @@ Numbers state_of(const SphereResult& stage, std::size_t place, NumberBlock& bloc
   return out;
 }
 
+/// Coarse-grained fields of a state on so many cells of its container, along x first, then along y, then along z: the
+/// kernel's width, m, where any grain is within its reach unless everywhere, and the layers that no formula gives.
+Numbers fields_of(const SphereResult& stage, const SnapshotIn<3>& state, const Cells<3>& cells, NumberBlock& block) {
+  const PackingIn<3>& packing = state.packing;
+  const fields::GridIn<3> grid{packing.domain.corner(), packing.domain.corner(1), cells};
+  const auto f = fields::fields_to_show(packing, fields::shear_rate_at(stage.history, state.time), grid);
+  Numbers out{{"low", Numbers::list({grid.low.x, grid.low.y, grid.low.z})},
+              {"high", Numbers::list({grid.high.x, grid.high.y, grid.high.z})},
+              {"cells", Numbers::list({cells.x, cells.y, cells.z})},
+              {"width", fields::width_to_show(packing, grid)}};
+  const auto reached = mapped<std::uint8_t>(f.solid_fraction, [](double share) { return share > 0; });
+  if (!std::ranges::all_of(reached, [](std::uint8_t is) { return is; })) out["reached"] = block.add_indices(reached);
+  Numbers& layers = out["layers"] = Numbers::tree();
+  for (const auto& layer : fields::coarse_layers<3>())
+    if (layer.formula.empty() && fields::has_layer(layer, f))
+      layers[layer.name] =
+          report::numbers_of(code_field(cells.x, cells.y * cells.z, fields::values_of(layer, f), reached, true), block);
+  return out;
+}
+
+/// The cells of the fields of a stage, as many in all its states; none where it has no fields.
+Cells<3> cells_of(const SphereResult& stage) {
+  if (stage.snapshots.empty() || !fields::has_fields(stage.snapshots.back().packing)) return {};
+  return fields::grid_to_show(stage.snapshots.back().packing).count;
+}
+
 /// What is said of the places and sizes of spheres, and of the quantities of the last state.
 Numbers kinds_of(const Numbers& quantities) {
   auto kinds = texture::grain_quantities();
@@ -163,7 +191,12 @@ Numbers kinds_of(const Numbers& quantities) {
   return named_kinds(kinds);
 }
 
-Numbers stage_of(const SphereResult& r, std::size_t every, NumberBlock& block, const figures::WriteList& write) {
+/// Every so many states are on the page, counted from a stage's last one, and every so many of these with fields.
+struct Thinned {
+  std::size_t states = 1, fields = 1;
+};
+
+Numbers stage_of(const SphereResult& r, const Thinned& every, NumberBlock& block, const figures::WriteList& write) {
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},
@@ -173,31 +206,44 @@ Numbers stage_of(const SphereResult& r, std::size_t every, NumberBlock& block, c
   add_numbers(out, r.texture.is_tree() ? r.texture : Numbers::tree());
   out["states"] = Numbers::list();
   const std::size_t stored = r.snapshots.size();
-  for (std::size_t place = 0; place < stored; ++place)
-    if ((stored - 1 - place) % every == 0) out["states"].push_back(state_of(r, place, block));
+  const Cells<3> cells = cells_of(r);
+  if (cells.x > 0) out["layers"] = named_kinds(fields::coarse_layers<3>());
+  for (std::size_t place = 0; place < stored; ++place) {
+    const std::size_t before_last = stored - 1 - place;
+    if (before_last % every.states != 0) continue;
+    out["states"].push_back(state_of(r, place, block));
+    if (cells.x > 0 && fields::has_fields(r.snapshots[place].packing) && before_last / every.states % every.fields == 0)
+      out["states"].back()["fields"] = fields_of(r, r.snapshots[place], cells, block);
+  }
   out["quantities"] = stored > 0 ? kinds_of(out["states"].back()["quantities"]) : Numbers::tree();
   if (stored < 2) return out;
   std::string note = "Numbers and distributions beside are of the last state.";
-  if (every > 1)
+  if (every.states > 1)
     note +=
         fmt::format(" Of {} stored states one in {} is on the page, counted from the last; the stage's file has all.",
-                    stored, every);
+                    stored, every.states);
   out["note"] = note;
   return out;
 }
 
-/// Every so many states of each stage, counted from its last one, lest the page be too large.
-std::size_t states_per_shown(std::span<const SphereResult> stages) {
-  std::size_t spheres = 0;
+/// Lest the page be too large.
+Thinned thinned(std::span<const SphereResult> stages) {
+  std::size_t spheres = 0, cells = 0;
   for (const SphereResult& stage : stages)
     for (const SnapshotIn<3>& state : stage.snapshots) spheres += state.packing.grains.size();
-  return 1 + spheres / most_spheres;
+  const std::size_t every = 1 + spheres / most_spheres;
+  for (const SphereResult& stage : stages) {
+    const Cells<3> of_one = cells_of(stage);
+    cells += (stage.snapshots.size() + every - 1) / every * static_cast<std::size_t>(of_one.x) *
+             static_cast<std::size_t>(of_one.y) * static_cast<std::size_t>(of_one.z);
+  }
+  return {every, 1 + cells / most_cells};
 }
 
 }  // namespace
 
 void add_spheres(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write) {
-  const std::size_t every = states_per_shown(data.spheres);
+  const Thinned every = thinned(data.spheres);
   for (const SphereResult& result : data.spheres) document["spheres"].push_back(stage_of(result, every, block, write));
 }
 

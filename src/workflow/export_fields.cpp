@@ -53,7 +53,8 @@ template <int D> io::GridFieldsIn<D> grid_fields(const PackingIn<D>& packing, do
     return count;
   };
   while (points() > most[D - 2]) spacing *= 1.01;
-  const auto f = fields::coarse_fields(packing, shear_rate, std::max(diameter, spacing), spacing);
+  const auto grid = fields::grid_over<D>(packing.domain, spacing);
+  const auto f = fields::coarse_fields(packing, shear_rate, std::max(diameter, spacing), grid);
   io::GridFieldsIn<D> g{f.grid.low, f.grid.step(), f.grid.count, {}, f.velocity, {}};
   g.scalars = {
       {"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};

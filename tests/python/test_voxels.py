@@ -8,7 +8,7 @@ import pytest
 
 import arenite
 from arenite import _core, compare, figures
-from arenite.figures import catalogue, drawing, saving, volumes
+from arenite.figures import catalogue, drawing, saving, slices, volumes
 
 
 def layers():
@@ -118,7 +118,7 @@ def test_slices_of_phases_and_stresses_are_printed(tmp_path):
 def test_pictures_show_the_middle_of_the_voxels_over_their_mean():
     result, canvas = sheared("shear"), saving.Canvas()
     assert _core._quantities_drawn(result) == ["sigma_xz", "sigma_hyd", "sigma_mises"]
-    volumes.draw_component(canvas, result, "sigma_xz", volumes._rows(canvas, result.map, 1)[0])
+    volumes.draw_component(canvas, result, "sigma_xz", slices.rows_of(canvas, volumes.box_of(result.map), 1)[0])
     across_z, across_y, across_x = (axes.images[0] for axes in canvas.axes[:3])
     mean = result.numbers["stress"]["sigma_xz"]["sample_mean_Pa"]["value"]
     assert _core._voxel_mean(result, "sigma_xz") == mean

@@ -15,11 +15,12 @@ export function choicesOf(result, page, choices, kept = null) {
 }
 
 /** The section of a field, a film or a sample in space: its panel beside headlines and figures, tables below. `cards`
-    stand before the figures, `remarks` after them and `tables` before all numbers. */
-export function resultSection(result, state, heads, { panel, cards = [], remarks = [], tables = [] }) {
+    stand before the figures, `remarks` after them and `tables` before all numbers; `own` has cards by the ids of the
+    figures in whose places they stand, null where there is nothing to show. */
+export function resultSection(result, state, heads, { panel, cards = [], remarks = [], tables = [], own = {} }) {
   const figures = figuresOf(heads)
-    .filter((figure) => figure.when({}, result))
-    .map((figure) => figureCard(figure, result, state));
+    .filter(({ id, when }) => (id in own ? own[id] : when({}, result)))
+    .map((figure) => own[figure.id] ?? figureCard(figure, result, state));
   const tiles = headlines(tilesOf(result.declared, result.about.headlines));
   return h(
     "div",

@@ -102,8 +102,9 @@ export class Sample {
     const known = this.about.snapshots.map((snapshot, f) => (snapshot.fields ? f : -1)).filter((f) => f >= 0);
     if (known.length === 0) return null;
     const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best)),
-      about = this.about.snapshots[nearest];
-    return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), snapshot: nearest });
+      about = this.about.snapshots[nearest],
+      size = about.fields.columns * about.fields.rows;
+    return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), size, snapshot: nearest });
   }
 
   #typesOf({ i, j }) {

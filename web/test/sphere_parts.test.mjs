@@ -129,6 +129,67 @@ test("of states that are left out the next one is shown", () => {
   assert.deepEqual([0, 2, 9].map((place) => result.stateAt(place)), [0, 1, 1]);
 });
 
+/** Two states of five with fields on 2 x 1 x 2 cells, coded in steps of a quarter; the second is at rest, and no grain
+    is near one of its cells. */
+const withFields = () => {
+  const block = [],
+    stored = (values) => ({ at: block.push(...values) - values.length, n: values.length, as: "u1" }),
+    // Each code less what those before predict: of the first 0, of the second the first, of the third the first, ..
+    coded = (residual) => ({ law: "linear", centre: 0, width: 1, levels: 4, residual: stored(residual) });
+  const state = (height, fields) => ({
+    fields: { low: [1, 0, 0], high: [3, height, 8], cells: [2, 1, 2], width: 0.5, ...fields },
+  });
+  const solid = { solid_fraction: coded([4, 2, 1, 0]) };
+  const states = [
+    {},
+    state(4, { layers: { ...solid, ...Object.fromEntries(["vx", "vy", "vz"].map((v) => [v, coded([8, 0, 0, 8])])) } }),
+    {},
+    {},
+    state(2, { layers: solid, reached: stored([1, 1, 0, 1]) }),
+  ];
+  const layers = {
+    solid_fraction: ["Solid fraction", "\u03c6", "", "", "even"],
+    speed: ["Velocity", "|v|", "m/s", "vx vy hypot vz hypot", "even"],
+    vx: ["Velocity along x", "v_{x}", "m/s", "", "diverging"],
+    vy: ["Velocity along y", "v_{y}", "m/s", "", "diverging"],
+    vz: ["Velocity along z", "v_{z}", "m/s", "", "diverging"],
+  };
+  return new SphereResult({ name: "axial", figures: {}, layers, states }, new Uint8Array(block)).coarseFields();
+};
+
+test("fields are those of the state shown or of the nearest that has them, in its own container", () => {
+  const fields = withFields();
+  assert.deepEqual(fields.size, [2, 1, 2]);
+  assert.deepEqual(fields.sides, [2, 2, 8], "as it opens: the last state");
+  assert.deepEqual(
+    [0, 1, 2, 3, 4].map((k) => (fields.show(k), fields.shown)),
+    [1, 1, 1, 4, 4],
+  );
+  fields.show(0);
+  assert.equal(fields.state.place(1, 0), 2);
+  assert.equal(fields.state.place(0, 1), 2.5);
+  assert.equal(fields.placed(2, 1), "6.00\u202fm");
+  assert.equal(fields.indexOf([1, 0, 1]), 3);
+});
+
+test("fields have the values that were coded, none where no grain is near, and at rest nothing moves", () => {
+  const fields = withFields();
+  assert.deepEqual(
+    fields.offered.map(([name]) => name),
+    ["solid_fraction", "speed", "vx", "vy", "vz"],
+  );
+  // 4 is +2, 2 is +1, 1 is -1 and 0 is 0 quarters beyond what is predicted.
+  assert.deepEqual([...fields.layer("solid_fraction").values], [0.5, 0.75, NaN, 0.5]);
+  assert.deepEqual([...fields.layer("vx").values], [0, 0, NaN, 0]);
+  fields.show(1);
+  assert.deepEqual([...fields.layer("solid_fraction").values], [0.5, 0.75, 0.25, 0.5]);
+  assert.deepEqual([...fields.layer("vx").values], [1, 1, 1, 2]);
+  assert.ok(Math.abs(fields.layer("speed").values[3] - Math.hypot(2, 2, 2)) < 1e-6);
+  const { low, high } = fields.layer("vx").scale;
+  assert.deepEqual([low, high], [-2, 2], "about zero");
+  assert.deepEqual([fields.layer("solid_fraction").scale.low, fields.layer("speed").scale.low], [0.25, 0]);
+});
+
 test("directions of the projection are unit vectors, and equal areas of it are equal areas of the sphere", () => {
   assert.ok(close(directionAt(0, 77), [0, 1, 0]));
   assert.ok(close(directionAt(1, 0), [1, 0, 0]) && close(directionAt(1, 270), [0, 0, 1]), "z is below");

@@ -75,7 +75,10 @@ stage_pictures = {
     ),
 }
 sphere_pictures = {
-    "grain-scatter": Figure("grain-scatter", "spheres", samples.sphere_scatter, samples.has_touching_spheres)
+    "grain-scatter": Figure("grain-scatter", "spheres", samples.sphere_scatter, samples.has_touching_spheres),
+    "coarse-fields": Figure(
+        "coarse-fields", "spheres", samples.coarse_slices, samples.are_in_a_box, samples.slices_height, True
+    ),
 }
 film_pictures = {
     "film-maps": Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
@@ -118,9 +121,9 @@ figures = [
     ),
     *all_described("film", film_pictures),
     Figure("force-network", "film", film_network, has_forces, of_packing),
-    Figure("phases", "voxels", volumes.draw_phases, height=volumes.height_of(1, 0.06), wide=True, of_map=True),
-    Figure("stress", "voxels", volumes.of_stress, volumes.is_loaded, volumes.height_of(volumes.stresses), True),
-    Figure("displacement", "voxels", volumes.of_displacement, volumes.is_loaded, volumes.height_of(1), True),
+    Figure("phases", "voxels", volumes.draw_phases, height=volumes.height_of_rows(1, 0.06), wide=True, of_map=True),
+    Figure("stress", "voxels", volumes.of_stress, volumes.is_loaded, volumes.height_of_rows(volumes.stresses), True),
+    Figure("displacement", "voxels", volumes.of_displacement, volumes.is_loaded, volumes.height_of_rows(1), True),
     *all_described("voxels", {}),
     *all_described("spheres", sphere_pictures),
 ]

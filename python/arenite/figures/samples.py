@@ -4,6 +4,7 @@ import numpy as np
 
 from .. import _core
 from .shots import Shot
+from .slices import Box, draw_slices, height_of, rows_of
 from .style import bare, colours, label, plain, scale_maps, scaled, soft, strong
 
 
@@ -49,23 +50,29 @@ def sphere_scatter(figure, stage):
     draw_grains_against(figure.add_subplot(), Shot(stage, stage.snapshots[-1]))
 
 
-def draw_coarse_field(axes, fields, name):
-    """One of the fields of a state (`fields_of`), with the velocity as arrows over its magnitude; returns what a colour
-    bar needs, and its label."""
-    words, symbol, unit, _, scale = _core._coarse_layers()[name]
-    values, x, y = fields[name], fields["x"], fields["y"]
+def _look_of(values, layer):
+    """The unit that values are drawn in, their colours, which all but a hundredth lie within, and the label of a
+    bar."""
+    words, symbol, unit, _, scale = layer
     known = np.abs(values[np.isfinite(values)])
     factor, prefixed = scaled(np.max(known, initial=0), unit) if unit in ("Pa", "m/s") else (1, unit)
     low, high = np.nanquantile(values, [0.01, 0.99]) if len(known) else (0, 1)
     ends = (-max(abs(low), abs(high)), max(abs(low), abs(high))) if scale == "diverging" else (low, high)
+    look = {"cmap": scale_maps[scale], "vmin": ends[0] / factor, "vmax": ends[1] / factor}
+    return factor, look, worded(f"{words} {symbol}", prefixed)
+
+
+def draw_coarse_field(axes, fields, name):
+    """One of the fields of a state (`fields_of`), with the velocity as arrows over its magnitude; returns what a colour
+    bar needs, and its label."""
+    values, x, y = fields[name], fields["x"], fields["y"]
+    factor, colours_of_it, words = _look_of(values, _core._coarse_layers()[name])
     half = [0.5 * (axis[1] - axis[0]) if len(axis) > 1 else 0.5 for axis in (x, y)]
     picture = axes.imshow(
         values / factor,
         origin="lower",
-        cmap=scale_maps[scale],
-        vmin=ends[0] / factor,
-        vmax=ends[1] / factor,
         interpolation="bilinear",
+        **colours_of_it,
         extent=(x[0] - half[0], x[-1] + half[0], y[0] - half[1], y[-1] + half[1]),
     )
     if name == "speed" and np.any(values > 0):
@@ -81,7 +88,7 @@ def draw_coarse_field(axes, fields, name):
     bare(axes)
     for side in axes.spines.values():
         side.set(visible=True, color=soft)
-    return picture, worded(f"{words} {symbol}", prefixed)
+    return picture, words
 
 
 def fields_of(state):
@@ -89,10 +96,14 @@ def fields_of(state):
     return _core._layers_of_state(state.stage, state.snapshot)
 
 
+def _shown_of(fields):
+    return ["solid_fraction", "speed", "pressure", "shear"] if "speed" in fields else ["solid_fraction", "pressure"]
+
+
 def coarse_fields(figure, state):
     """Solid fraction, pressure and, if grains move, velocity and shear stress."""
     fields = fields_of(state)
-    names = ["solid_fraction", "speed", "pressure", "shear"] if "speed" in fields else ["solid_fraction", "pressure"]
+    names = _shown_of(fields)
     for axes, name in zip(np.ravel(figure.subplots(len(names) // 2, 2)), names):
         picture, words = draw_coarse_field(axes, fields, name)
         figure.colorbar(picture, ax=axes, label=words, shrink=0.8)
@@ -111,3 +122,30 @@ def fields_height(state):
         0.44 * state.packing.domain["height"] / state.packing.domain["width"] * (2 if np.any(state.packing.vx) else 1)
         + 0.06
     )
+
+
+def coarse_slices(figure, stage):
+    """The same of spheres, in slices through the middle of the container of the last state."""
+    fields, layers = _core._layers_of_state(stage, stage.snapshots[-1]), _core._coarse_layers_in_space()
+    sides, names = _sides_of(stage), _shown_of(fields)
+    cells = {axis: len(fields[axis]) for axis in sides}
+    low = {axis: fields[axis][0] - 0.5 * sides[axis] / cells[axis] for axis in sides}
+    box = Box(sides, cells, low, upright="y")
+    for name, row in zip(names, rows_of(figure, box, len(names))):
+        factor, look, words = _look_of(fields[name], layers[name])
+        shown, axes = draw_slices(figure, box, fields[name] / factor, row, "bilinear", **look)
+        figure.colorbar(shown, ax=axes, label=words, shrink=0.8, extend="both", pad=0.01)
+
+
+def _sides_of(stage):
+    """Of the container of the last state."""
+    return dict(zip("xyz", stage.snapshots[-1].packing.domain["size"]))
+
+
+def are_in_a_box(stage):
+    return len(stage.snapshots) > 0 and all(side > 0 for side in _sides_of(stage).values())
+
+
+def slices_height(stage):
+    moves = np.any(stage.snapshots[-1].packing.velocity)
+    return height_of(Box(_sides_of(stage), upright="y"), 4 if moves else 2)

@@ -278,12 +278,11 @@ template <int D> bool has_fields(const PackingIn<D>& packing) {
 }
 
 template <int D>
-CoarseFieldsIn<D> coarse_fields(const PackingIn<D>& packing, double shear_rate, double width, double spacing) {
+CoarseFieldsIn<D> coarse_fields(const PackingIn<D>& packing, double shear_rate, double width, const GridIn<D>& grid) {
   CoarseGraining choice;
   choice.width = width;
-  choice.spacing = spacing;
   if (shear_rate != 0) choice.tilt_rate = shear_rate * packing.domain.extent(1);
-  return coarse_grain(packing, choice);
+  return coarse_grain<D>(packing, grid, choice);
 }
 
 #define ARENITE_OF(D)                                                                                    \
@@ -291,7 +290,7 @@ CoarseFieldsIn<D> coarse_fields(const PackingIn<D>& packing, double shear_rate, 
   template CoarseFieldsIn<D> coarse_grain(const PackingIn<D>&, const GridIn<D>&, const CoarseGraining&); \
   template CoarseFieldsIn<D> coarse_grain(const PackingIn<D>&, const CoarseGraining&);                   \
   template bool has_fields(const PackingIn<D>&);                                                         \
-  template CoarseFieldsIn<D> coarse_fields(const PackingIn<D>&, double, double, double);
+  template CoarseFieldsIn<D> coarse_fields(const PackingIn<D>&, double, double, const GridIn<D>&);
 ARENITE_OF(2)
 ARENITE_OF(3)
 #undef ARENITE_OF

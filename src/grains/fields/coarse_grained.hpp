@@ -81,8 +81,8 @@ template <int D> bool has_fields(const PackingIn<D>& packing);
 /// The same at points over its whole box, `choice.spacing` apart.
 template <int D> CoarseFieldsIn<D> coarse_grain(const PackingIn<D>& packing, const CoarseGraining& choice);
 
-/// Fields of a state over its whole box, smeared by Lucy's function of that width, at points so far apart (m).
+/// Fields of a state at the points of a grid, smeared by Lucy's function of that width (m).
 template <int D>
-CoarseFieldsIn<D> coarse_fields(const PackingIn<D>& packing, double shear_rate, double width, double spacing);
+CoarseFieldsIn<D> coarse_fields(const PackingIn<D>& packing, double shear_rate, double width, const GridIn<D>& grid);
 
 }  // namespace arenite::fields

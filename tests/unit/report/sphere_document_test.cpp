@@ -104,5 +104,41 @@ TEST(SphereDocument, OfManySpheresHasSomeStatesTheLastAmongThemAndSaysSo) {
   EXPECT_NE(stages[1].at("note").get<std::string>().find("Of 4 stored states one in 2"), std::string::npos);
 }
 
+int cells_of(const Numbers& state) {
+  int cells = 1;
+  for (const Numbers& along : state.at("fields").at("cells")) cells *= along.get<int>();
+  return cells;
+}
+
+TEST(SphereDocument, StatesHaveFieldsOnEquallyManyCellsOfTheirContainers) {
+  SphereResult stage = stage_of(2, 2);
+  stage.snapshots[0].packing.domain.wall[right].position = 16;
+  stage.snapshots[1].packing.materials[0].density = 2500;
+  stage.snapshots[1].packing.grains.velocity[1] = {1, 0, 0};
+  const Numbers shown = document_of({stage})[0];
+  EXPECT_EQ(shown.at("layers").at("shear")[2].get<std::string>(), "Pa");
+  for (const Numbers& state : shown.at("states")) {
+    const Numbers& fields = state.at("fields");
+    EXPECT_EQ(cells_of(state), 22 * 22 * 22);  // 11 m, by radii of half a metre
+    EXPECT_EQ(fields.at("layers").at("density").at("residual").at("n").get<int>(), cells_of(state));
+    EXPECT_EQ(fields.at("reached").at("n").get<int>(), cells_of(state)) << "far from the spheres there is nothing";
+    EXPECT_EQ(fields.at("width").get<double>(), 1);
+  }
+  EXPECT_EQ(shown.at("states")[0].at("fields").at("high")[0].get<double>(), 16);
+  EXPECT_FALSE(shown.at("states")[0].at("fields").at("layers").contains("vx"));
+  EXPECT_TRUE(shown.at("states")[1].at("fields").at("layers").contains("vx"));
+}
+
+TEST(SphereDocument, OfManyCellsSomeStatesHaveFieldsTheLastAmongThem) {
+  const Numbers states = document_of({stage_of(12, 2)})[0].at("states");  // 12 times 22^3: three times what a page has
+  ASSERT_EQ(states.size(), 12u);
+  for (std::size_t k = 0; k < states.size(); ++k) EXPECT_EQ(states[k].contains("fields"), k % 3 == 2) << k;
+  SphereResult without = stage_of(2, 2);
+  for (auto& state : without.snapshots) state.packing.domain.wall[top].position = -1;
+  const Numbers flat = document_of({without})[0];
+  EXPECT_FALSE(flat.contains("layers"));
+  EXPECT_FALSE(flat.at("states")[1].contains("fields")) << "without a container there are none";
+}
+
 }  // namespace
 }  // namespace arenite::report

@@ -40,6 +40,19 @@ export function makeScale(order, { around, symlog, clip, mean }) {
   };
 }
 
+/** From one end to the other, of values in order. */
+export function linearScale(order, [low, high]) {
+  return {
+    order,
+    low,
+    high,
+    symlog: false,
+    below: share(order, low),
+    above: 1 - share(order, high, true),
+    of: (v) => (v - low) / (high - low),
+  };
+}
+
 /** Share of the values below (or not above) a limit. */
 function share(order, limit, including = false) {
   let from = 0,

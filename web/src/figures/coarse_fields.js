@@ -11,32 +11,37 @@ export const layers = {
   speed: { arrows: true },
   vx: {},
   vy: {},
+  vz: {},
   pressure: {},
   deviator: {},
   shear: {},
+  shear_yz: {},
+  shear_xz: {},
   kinetic: {},
 };
 
-/** Those that fields have: [[name, { label, symbol, unit }]]. */
-const known = (fields, { about }) =>
+/** Those that fields have: [[name, { label, symbol, unit }]]. `about` has what the program says of all. */
+export const known = (fields, { about }) =>
   Object.keys(layers)
+    .filter((name) => about.layers[name])
     .map((name) => [name, aboutLayer(name, about)])
-    .filter(([name, { formula }]) => namesIn(formula || name).every((part) => fields?.[part]));
+    .filter(([name, { formula }]) => namesIn(formula || name).every((part) => part in (fields ?? {})));
 
-function aboutLayer(name, { layers: all }) {
+export function aboutLayer(name, { layers: all }) {
   const [label, symbol, unit, formula, scale] = all[name];
-  return { label, symbol, unit, formula, map: mapOfScale[scale], signed: scale === "diverging" };
+  return { ...layers[name], label, symbol, unit, formula, map: mapOfScale[scale], signed: scale === "diverging" };
 }
 
-function valuesOf(fields, name, about) {
+export function valuesOf(fields, name, about) {
   const { formula } = aboutLayer(name, about);
-  return formula ? evaluateAll(formula, fields.columns * fields.rows, (part) => fields[part]) : fields[name];
+  return formula ? evaluateAll(formula, fields.size, (part) => fields[part]) : fields[name];
 }
 
-/** Ends of the colours: all but a hundredth of the cells. */
-function rangeOf(values, { signed, closed }) {
-  const sorted = Float64Array.from(values).filter(Number.isFinite).sort(),
-    at = (share) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
+export const inOrder = (values) => Float64Array.from(values).filter(Number.isFinite).sort();
+
+/** Ends of the colours of values in order: all but a hundredth of the cells. */
+export function rangeOf(sorted, { signed, closed }) {
+  const at = (share) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
   if (signed) {
     const most = Math.max(Math.abs(at(0.01)), Math.abs(at(0.99))) || 1;
     return [-most, most];
@@ -144,10 +149,10 @@ export const coarseFields = {
     const fields = sample.fields(state.get("snapshot")),
       wanted = state.get("field"),
       name = known(fields, sample).some(([one]) => one === wanted) ? wanted : "solid_fraction";
-    const layer = { ...layers[name], ...aboutLayer(name, sample.about) },
+    const layer = aboutLayer(name, sample.about),
       { label: words, unit } = layer,
       values = valuesOf(fields, name, sample.about),
-      range = rangeOf(values, layer),
+      range = rangeOf(inOrder(values), layer),
       [left, right, bottom, top] = fields.bounds;
     const scale = Math.min(width / (right - left), 420 / (top - bottom)),
       w = scale * (right - left),
@@ -184,25 +189,25 @@ export const coarseFields = {
 /** Every cell with all its fields, SI. */
 function tableOf(fields, sample) {
   const {
-      columns,
-      bounds: [left, right, bottom, top],
-      rows,
-    } = fields,
-    there = known(fields, sample);
+    columns,
+    bounds: [left, right, bottom, top],
+    rows,
+  } = fields;
   const at = (k) => ({
     x: left + (((k % columns) + 0.5) * (right - left)) / columns,
     y: bottom + ((Math.floor(k / columns) + 0.5) * (top - bottom)) / rows,
   });
-  const arrays = there.map(([name, { symbol, unit }]) => [
+  return { x: "x, m", y: "y, m", points: rowsOfCells(fields, sample, at) };
+}
+
+/** What all cells have: `at(k)` of each, and in `more` its fields by their names with units. */
+export function rowsOfCells(fields, sample, at) {
+  const arrays = known(fields, sample).map(([name, { symbol, unit }]) => [
     [symbol, typeset(unit)].filter(Boolean).join(", "),
     valuesOf(fields, name, sample.about),
   ]);
-  return {
-    x: "x, m",
-    y: "y, m",
-    points: Array.from({ length: columns * rows }, (_, k) => ({
-      ...at(k),
-      more: Object.fromEntries(arrays.map(([head, values]) => [head, values[k]])),
-    })),
-  };
+  return Array.from({ length: fields.size }, (_, k) => {
+    const { more, ...place } = at(k);
+    return { ...place, more: { ...more, ...Object.fromEntries(arrays.map(([head, values]) => [head, values[k]])) } };
+  });
 }

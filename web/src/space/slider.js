@@ -1,6 +1,7 @@
 import { h } from "../dom.js";
 
-/** A slider over the whole numbers of a key of the state, with its value in words. */
+/** A slider over the whole numbers of a key of the state, with its value in words, which may be others in another
+    snapshot. */
 export function slider(name, words, key, state, [least, most], write, kind = "choice threshold") {
   const output = h("output");
   const input = h("input", {
@@ -18,7 +19,7 @@ export function slider(name, words, key, state, [least, most], write, kind = "ch
     input.style.setProperty("--done", `${(100 * (value - least)) / Math.max(1, most - least)}%`);
     output.textContent = write(value);
   };
-  state.watch([key], refresh);
+  state.watch([key, "snapshot"], refresh);
   refresh();
   return h(
     "div",

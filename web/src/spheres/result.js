@@ -1,6 +1,7 @@
 import { unpacked } from "../block.js";
 import { DescribedResult } from "../described_result.js";
 import { prefixOf, text } from "../text.js";
+import { CoarseFields } from "./fields.js";
 
 const whole = 100; // steps of a cut along an axis
 
@@ -39,10 +40,15 @@ export class SphereResult extends DescribedResult {
   #opened(k) {
     if (!this.#states.has(k)) {
       if (this.#states.size > mostOpen) this.#states.clear();
-      const about = unpacked(this.#block, this.states[k] ?? nothing);
+      const { fields: _, ...stored } = this.states[k] ?? nothing,
+        about = unpacked(this.#block, stored);
       this.#states.set(k, opened(about, k < this.snapshotCount - 1 ? this.last : null));
     }
     return this.#states.get(k);
+  }
+  /** Coarse-grained fields of its states, or null. */
+  coarseFields() {
+    return this.#has("fields") ? new CoarseFields(this, this.#block) : null;
   }
   /** Whether any state has it. */
   #has(part) {

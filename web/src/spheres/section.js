@@ -10,13 +10,14 @@ import { axes } from "../space/frame.js";
 import { slider } from "../space/slider.js";
 import { firstLook, lookForms } from "../space/view.js";
 import { text } from "../text.js";
+import { fieldSlices } from "./field_slices.js";
 import { cuts } from "./result.js";
 import { SphereView } from "./view.js";
 
 const firstKnown = (result, quantities) => quantities.find((id) => id in result.finders) ?? "size";
 
-/** What the reader may choose, as it is in the beginning. */
-export const choices = (result) => ({
+/** What the reader may choose, as it is in the beginning: of coarse-grained fields slices through their middle. */
+export const choices = (result, fields = null) => ({
   snapshot: Math.max(0, result.snapshotCount - 1),
   playing: false,
   half: "above",
@@ -35,10 +36,14 @@ export const choices = (result) => ({
   up: firstKnown(result, ["pressure", "y"]),
   ...firstLook(),
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, cuts[1]])),
+  ...(fields && {
+    field: fields.offered.some(([name]) => name === "vx") ? "speed" : "solid_fraction",
+    ...Object.fromEntries(axes.map((axis, a) => [axis, Math.floor(fields.size[a] / 2)])),
+  }),
 });
 
 /** What of it is kept in the address. */
-const kept = (result) => ({
+const kept = (result, fields) => ({
   snapshot: forms.whole(Math.max(1, result.snapshotCount)),
   half: forms.word(["above", "turned"]),
   show: forms.word(["material", ...result.offered]),
@@ -51,17 +56,26 @@ const kept = (result) => ({
   up: forms.word(Object.keys(result.finders)),
   ...lookForms,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, forms.between(...cuts, true)])),
+  ...(fields && {
+    field: forms.word(fields.offered.map(([name]) => name)),
+    ...Object.fromEntries(axes.map((axis, a) => [axis, forms.between(0, fields.size[a] - 1, true)])),
+  }),
 });
 
-/** A stage of a sample of spheres with its picture, figures and tables: { element, state, view, result }. */
+/** A stage of a sample of spheres with its picture, figures and tables: { element, state, view, result }, and { slices,
+    fields } where it has coarse-grained fields. */
 export function sphereSection(result, page, heads) {
-  const state = choicesOf(result, page, choices(result), kept(result)),
+  const fields = result.coarseFields(),
+    state = choicesOf(result, page, choices(result, fields), kept(result, fields)),
     view = new SphereView(result, state);
+  const head = heads.find(({ id }) => id === "coarse-fields"),
+    { card = null, ...ofFields } = fields ? fieldSlices(fields, state, head) : {};
   const element = resultSection(result, state, heads, {
     panel: panelOf(result, state, view),
+    own: { [head.id]: card },
     tables: [grainTable(result, state, tableWords(result))],
   });
-  return { element, state, view, result };
+  return { element, state, view, result, ...ofFields };
 }
 
 const tableWords = ({ title, name }) => ({

@@ -29,6 +29,11 @@ export class VolumeResult extends DescribedResult {
     this.phases = [phases.matrix, phases.particle].filter((phase) => this.share(phase) > 0);
   }
 
+  /** How long it is along each axis, in voxels. */
+  get sides() {
+    return this.size;
+  }
+
   /** Fraction of the volume that is of a phase. */
   share(phase) {
     return this.declared.at(`map.phases.${["void", "matrix", "particle"][phase]}`) ?? 0;
@@ -88,6 +93,10 @@ export class VolumeResult extends DescribedResult {
   /** A place along an axis from the sample's corner: the middle of a layer, or its end with `within` 1. */
   place(layer, within = 0.5) {
     return (layer + within) * this.spacing;
+  }
+  /** The same of the layer that a slice shows, in words. */
+  placed(_, layer) {
+    return this.length(this.place(layer));
   }
   length(value) {
     return this.lengths([value]);

@@ -1,10 +1,13 @@
 import { forms } from "../address.js";
 import { choicesOf, resultSection } from "../result_section.js";
 import { axes } from "../space/frame.js";
+import { slicesCard } from "../space/slices.js";
 import { firstLook, lookForms } from "../space/view.js";
+import { legend, legendHeight } from "./legend.js";
+import { indexOf, painted, tableOf } from "./paint.js";
 import { volumePanel } from "./panel.js";
 import { levels } from "./result.js";
-import { slicesCard } from "./slices.js";
+import { voxelNumbers } from "./tooltip.js";
 
 /** What the reader may choose on the section of a sample in space: three slices through its middle, and all of it. */
 function choices(result) {
@@ -39,12 +42,26 @@ const kept = (result) => ({
   ...Object.fromEntries(axes.map((axis, a) => [`cut${axis}`, forms.between(1, result.size[a], true)])),
 });
 
+/** Its slices have the colours of the picture, whose legend is below that. */
+const lookOf = (result) => ({
+  painted,
+  index: (state) => indexOf(result, state),
+  table: (state, theme) => tableOf(result, state, theme),
+  numbers: (cell, state, theme) => voxelNumbers(result, cell, theme, state.get("component")),
+  legend: (state, theme, width) => legend(result, state, theme, width),
+  legendHeight,
+  title: (state) =>
+    `Slices: ${state.get("show") === "field" ? result.quantity(state.get("component")).symbol : "phases"}`,
+  name: "Slices",
+  file: "slices",
+});
+
 /** A sample in space with its slices, figures and tables: { element, state, view, slices, result }. */
 export function volumeSection(result, page, heads) {
   const state = choicesOf(result, page, choices(result), kept(result));
   state.watch(["component"], () => state.set({ level: 0 })); // a level of another quantity
   const { panel, view } = volumePanel(result, state),
-    { card, slices } = slicesCard(result, state);
+    { card, slices } = slicesCard(result, state, lookOf(result));
   const element = resultSection(result, state, heads, { panel, cards: card });
   return { element, state, view, slices, result };
 }

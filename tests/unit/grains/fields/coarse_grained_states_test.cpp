@@ -26,7 +26,7 @@ TEST(StateFields, NeedGrainsAndABox) {
   packing.domain.wall[right].position = packing.domain.wall[top].position = 20;
   packing.domain.thickness = 2;
   EXPECT_TRUE(has_fields(packing));
-  const auto f = coarse_fields(packing, 0, 1, 2);
+  const auto f = coarse_fields(packing, 0, 1, grid_over<2>(packing.domain, 2));
   EXPECT_EQ(f.grid.count.x, 10);
 }
 
@@ -38,9 +38,9 @@ TEST(StateFields, OfSpheresNeedNoThickness) {
   EXPECT_FALSE(has_fields(packing));
   for (const int side : {right, top, front}) packing.domain.wall[side].position = 4 + side;
   EXPECT_TRUE(has_fields(packing));
-  const auto f = coarse_fields(packing, 0, 1, 2);
+  const auto f = coarse_fields(packing, 0, 1, grid_over<3>(packing.domain, 2));
   EXPECT_EQ(f.grid.count, (Cells<3>{3, 4, 5}));
-  EXPECT_THROW(coarse_fields(packing, 0, 1, 1e-3), InputError);  // of 5e11 points
+  EXPECT_THROW(grid_over<3>(packing.domain, 1e-3), InputError);  // of 5e11 points
 }
 
 }  // namespace
