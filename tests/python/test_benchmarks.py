@@ -1,4 +1,4 @@
-"""The benchmark of a ball thrown into a bed (validation/benchmarks, docs/benchmarks.md) in small."""
+"""Benchmarks (validation/benchmarks, docs/benchmarks.md) in small: a ball thrown into a bed, spheres that just bear."""
 
 import pathlib
 
@@ -7,7 +7,8 @@ import pytest
 
 import arenite
 
-RECIPE = pathlib.Path(__file__).resolve().parents[2] / "validation" / "benchmarks" / "penetration.toml"
+BENCHMARKS = pathlib.Path(__file__).resolve().parents[2] / "validation" / "benchmarks"
+RECIPE = BENCHMARKS / "penetration.toml"
 SMALL = {
     "variables.D": "8 mm",
     "variables.fall": "130 mm",
@@ -53,3 +54,17 @@ def test_energy_of_ball_and_bed_is_in_balance(thrown):
     assert flight.history["kinetic"][0] == pytest.approx(thrown_with, rel=0.05)
     assert abs(energy["open"]) < 1e-3
     assert flight.history["kinetic"][-1] < 0.7 * thrown_with
+
+
+def test_frictionless_spheres_under_little_pressure_have_hardly_more_than_six_contacts(tmp_path):
+    small = {"packing.grains": 200, "container.width": "5.85*d", "container.depth": "5.85*d", "variables.root": 0.01}
+    result = arenite.run(arenite.Recipe(BENCHMARKS / "isostatic" / "recipe.toml", small), tmp_path / "out")
+    numbers = result.spheres[-1].numbers
+    z, phi = numbers["coordination"]["without_rattlers"]["value"], numbers["solid_fraction"]["value"]
+    # Spheres and three lengths of the cell, less three shifts of all, are held by as many contacts at least.
+    assert z >= 6
+    # LAMMPS has 6.24 +- 0.04 for 1000 spheres at P d/k = 4e-4, where the root of the pressure is twice as much: 6.12 +-
+    # 0.09 for 200.
+    assert z < 6.3
+    # And 0.638 +- 0.002 there: four errors for 200.
+    assert phi == pytest.approx(0.638, abs=0.018)
