@@ -57,19 +57,28 @@ void history(benchmark::State& state, const PackingIn<3>& (*packing)()) {
   measure(state, engine, 2'000'000 / static_cast<std::int64_t>(grain_count(engine)), [] {});
 }
 
-/// Springs of friction and rolling resistance at every contact, as LAMMPS's granular style with linear_history and sds
-/// has them; and bonds besides.
-void rolling(benchmark::State& state, dem::IntegratorKind integrator, bool bonded) {
+/// Springs of friction and rolling resistance at every contact, of spheres also against twisting, as LAMMPS's granular
+/// style with linear_history and sds has them.
+template <int D>
+void rolling(benchmark::State& state, const PackingIn<D>& (*packing)(), dem::IntegratorKind integrator) {
   dem::ContactParameters contact = bench::contact_parameters();
   contact.friction_law = dem::CundallStrack{};
-  contact.rolling = dem::ElasticPlasticRolling{0.1};
-  dem::ParallelBond bond;
-  bond.modulus = 1e8;
-  bond.tensile_strength = bond.cohesion = 1e30;
-  bond.gap = 0.05;
-  if (bonded) contact.bonds = bond;
-  dem::Engine engine = engine_of(bench::walls_4000(), integrator, 1, contact);
-  if (bonded) make_bonds(engine);
+  dem::ElasticPlasticRolling law{0.1};
+  if (D == 3) law.twisting = 0.1;
+  contact.rolling = law;
+  dem::EngineIn<D> engine = engine_of(packing(), integrator, 1, contact);
+  measure(state, engine, 500, [] {});
+}
+
+/// Springs of friction at every contact, of disks also rolling resistance, and bonds between all neighbours.
+template <int D>
+void bonded(benchmark::State& state, const PackingIn<D>& (*packing)(), dem::IntegratorKind integrator) {
+  dem::ContactParameters contact = bench::contact_parameters();
+  contact.friction_law = dem::CundallStrack{};
+  if (D == 2) contact.rolling = dem::ElasticPlasticRolling{0.1};
+  contact.bonds = bench::bond();
+  dem::EngineIn<D> engine = engine_of(packing(), integrator, 1, contact);
+  make_bonds(engine);
   measure(state, engine, 500, [] {});
 }
 
@@ -100,12 +109,14 @@ ARENITE_CASE("compaction_4000/verlet", compaction, g, verlet);
 ARENITE_CASE("compaction_4000/gear", compaction, h, gear);
 ARENITE_CASE("clumps_4000/verlet", at_rest, m, bench::clumps_4000, verlet, 1);
 ARENITE_CASE("polygons_4000/verlet", at_rest, n, bench::polygons_4000, verlet, 1);
-ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet, false);
-ARENITE_CASE("rolling_4000/gear", rolling, j, gear, false);
-ARENITE_CASE("bonded_4000/verlet", rolling, k, verlet, true);
+ARENITE_CASE("rolling_4000/verlet", rolling, i, bench::walls_4000, verlet);
+ARENITE_CASE("rolling_4000/gear", rolling, j, bench::walls_4000, gear);
+ARENITE_CASE("bonded_4000/verlet", bonded, k, bench::walls_4000, verlet);
 ARENITE_CASE("spheres_4000/verlet", at_rest, o, bench::spheres_4000, verlet, 1);
 ARENITE_CASE("spheres_4000/gear", at_rest, p, bench::spheres_4000, gear, 1);
 ARENITE_CASE("spheres_4000/history", history, q, bench::spheres_4000);
+ARENITE_CASE("spheres_4000/rolling", rolling, u, bench::spheres_4000, verlet);
+ARENITE_CASE("spheres_4000/bonded", bonded, v, bench::spheres_4000, verlet);
 ARENITE_CASE("spheres_100000/verlet", at_rest, r, bench::spheres_100000, verlet, 1);
 ARENITE_CASE("spheres_100000/history", history, s, bench::spheres_100000);
 ARENITE_CASE("spheres_1000000/verlet", at_rest, t, bench::spheres_1000000, verlet, 1);

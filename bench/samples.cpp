@@ -155,6 +155,14 @@ dem::ContactParameters contact_parameters() {
   return contact;
 }
 
+dem::ParallelBond bond() {
+  dem::ParallelBond bond;
+  bond.modulus = 1e8;
+  bond.tensile_strength = bond.cohesion = 1e30;
+  bond.gap = 0.05;
+  return bond;
+}
+
 const Packing& walls_4000() {
   static const Packing packing = jammed(loose<2>(4000, false));
   return packing;

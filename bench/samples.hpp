@@ -6,6 +6,9 @@ namespace arenite::bench {
 /// The case of the comparison with LAMMPS: radii 4 to 8 mm, one material, linear law, mu = 0.3, coordination about 4.
 dem::ContactParameters contact_parameters();
 
+/// Bonds that never break, between all grains less than a twentieth of their mean radius apart.
+dem::ParallelBond bond();
+
 /// 4000 disks between four walls, compacted by the engine at mu = 0 to P/k = 1e-3 and brought to rest with friction.
 const Packing& walls_4000();
 

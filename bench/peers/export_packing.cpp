@@ -1,11 +1,14 @@
 // Writes the benchmark's packings for the peers: NAME.data (LAMMPS, SI), and of disks NAME.csv (x, y, radius).
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "grains/texture/texture.hpp"
 #include "model/shapes.hpp"
@@ -42,17 +45,48 @@ void write_disks(const std::filesystem::path& folder, const std::string& name, c
   }
 }
 
-void write_spheres(const std::filesystem::path& folder, const std::string& name, const PackingIn<3>& p) {
+/// What stands before the sections of spheres.
+std::string head(const std::string& name, const PackingIn<3>& p, const std::string& more) {
+  std::string text = fmt::format("{}\n\n{} atoms\n1 atom types\n{}", name, p.grains.size(), more);
   const auto& w = p.domain.wall;
-  std::ofstream data(folder / (name + ".data"));
-  data << fmt::format("{}\n\n{} atoms\n1 atom types\n", name, p.grains.size());
   for (int axis = 0; axis < 3; ++axis)
-    data << fmt::format("{:.17g} {:.17g} {}lo {}hi\n", w[2 * axis].position, w[2 * axis + 1].position, "xyz"[axis],
+    text += fmt::format("{:.17g} {:.17g} {}lo {}hi\n", w[2 * axis].position, w[2 * axis + 1].position, "xyz"[axis],
                         "xyz"[axis]);
-  data << "\nAtoms\n\n";
+  return text;
+}
+
+void write_spheres(const std::filesystem::path& folder, const std::string& name, const PackingIn<3>& p) {
+  std::ofstream data(folder / (name + ".data"));
+  data << head(name, p, "") << "\nAtoms\n\n";
   for (std::size_t k = 0; k < p.grains.size(); ++k)
     data << fmt::format("{} 1 {:.17g} {} {:.17g} {:.17g} {:.17g}\n", k + 1, 2 * p.grains.radius[k],
                         p.materials[0].density, p.grains.position[k].x, p.grains.position[k].y, p.grains.position[k].z);
+}
+
+/// The same bonded as the benchmark bonds them; each bond is of a type of its own, whose spring has the stiffness of
+/// the bond along its axis and is without force.
+void write_bonded(const std::filesystem::path& folder, const std::string& name, const PackingIn<3>& p) {
+  dem::ContactParameters contact = bench::contact_parameters();
+  contact.bonds = bench::bond();
+  dem::EngineIn<3> engine(p, contact, {});
+  make_bonds(engine);
+  const PackingIn<3> held = packing_of(engine);
+  std::ofstream data(folder / (name + ".data"));
+  data << head(name, p, fmt::format("{0} bonds\n{0} bond types\n", held.bonds.size()));
+  std::string springs = "\nBond Coeffs\n\n", pairs = "\nBonds\n\n";
+  for (std::size_t b = 0; b < held.bonds.size(); ++b) {
+    const auto& bond = held.bonds[b];
+    const double radius =
+        std::min(p.grains.radius[static_cast<std::size_t>(bond.i)], p.grains.radius[static_cast<std::size_t>(bond.j)]);
+    const double stiffness = bench::bond().round_beam(bond.length, radius).normal;
+    fmt::format_to(std::back_inserter(springs), "{} {:.17g} {:.17g}\n", b + 1, stiffness / 2, bond.length);
+    fmt::format_to(std::back_inserter(pairs), "{0} {0} {1} {2}\n", b + 1, bond.i + 1, bond.j + 1);
+  }
+  data << springs << "\nAtoms\n\n";
+  for (std::size_t k = 0; k < p.grains.size(); ++k)
+    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} {} 0\n", k + 1, p.grains.position[k].x,
+                        p.grains.position[k].y, p.grains.position[k].z, 2 * p.grains.radius[k], p.materials[0].density);
+  data << pairs;
 }
 
 /// Disks of clumps, each with the number of its clump as that of its molecule.
@@ -99,16 +133,20 @@ void write_polygons(const std::filesystem::path& folder, const std::string& name
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 2 && count != 3) {
-    std::fputs("usage: export_packing FOLDER [walls]      (walls: the first packing alone)\n", stderr);
+  if (count < 2) {
+    std::fputs("usage: export_packing FOLDER [NAME..]      (only these packings)\n", stderr);
     return 2;
   }
-  write_disks(words[1], "walls_4000", bench::walls_4000());
-  if (count == 3) return 0;
-  write_disks(words[1], "periodic_100000", bench::periodic_100000());
-  write_spheres(words[1], "spheres_4000", bench::spheres_4000());
-  write_spheres(words[1], "spheres_100000", bench::spheres_100000());
-  write_clumps(words[1], "clumps_4000", bench::clumps_4000());
-  write_polygons(words[1], "polygons_4000", bench::polygons_4000());
+  const std::vector<std::string> wanted(words + 2, words + count);
+  const auto put = [&](const std::string& name, const auto& write, const auto& packing) {
+    if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end()) write(words[1], name, packing());
+  };
+  put("walls_4000", write_disks, bench::walls_4000);
+  put("periodic_100000", write_disks, bench::periodic_100000);
+  put("spheres_4000", write_spheres, bench::spheres_4000);
+  put("spheres_4000_bonded", write_bonded, bench::spheres_4000);
+  put("spheres_100000", write_spheres, bench::spheres_100000);
+  put("clumps_4000", write_clumps, bench::clumps_4000);
+  put("polygons_4000", write_polygons, bench::polygons_4000);
   return 0;
 }
