@@ -32,7 +32,7 @@ void each_same_corner(const Aggregates::Aggregate& p, const Aggregates::Aggregat
 
 /// Coarse nodes up to which a factor is cheaper than the third level. In the plane it always is.
 constexpr std::int32_t most_direct(int dimension) {
-  return dimension == 2 ? std::numeric_limits<std::int32_t>::max() : 5000;
+  return dimension == 2 ? std::numeric_limits<std::int32_t>::max() : 2000;
 }
 
 }  // namespace
