@@ -45,7 +45,7 @@ KeptFilm read(const fs::path& file) {
   KeptFilm film;
   film.numbers = io::read_numbers_file(file);
   if (const Numbers* const former = film.numbers.at_path("/grains")) film.numbers["count"] = Numbers(*former);
-  film.provenance.input_hash = film.numbers.value("input_hash", "");  // none in one from before films had names
+  film.provenance.input_hash = film.numbers.value("input_hash", "");
   return film;
 }
 

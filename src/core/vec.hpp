@@ -24,6 +24,9 @@ using Vec3 = Vec<3>;
 /// What turns, and what turns it: a number in the plane, a vector in space.
 template <int D, class V = double> using Turning = std::conditional_t<D == 2, V, Vec<3, V>>;
 template <int D> inline constexpr int turnings = D*(D - 1) / 2;  ///< in so many ways
+/// About one of the axes of these ways.
+template <class V> constexpr V about(const V& turning, int /*way*/) { return turning; }
+template <class V> constexpr V about(const Vec<3, V>& turning, int way) { return turning[way]; }
 
 /// The vector whose component along each axis is what `along` says of it.
 template <int D, class Along> constexpr auto by_axis(Along&& along) {
@@ -91,5 +94,7 @@ constexpr Tensor2 operator*(double s, const Tensor2& a) { return {s * a.xx, s * 
 /// Dyadic product a (x) b.
 constexpr Tensor2 outer(Vec2 a, Vec2 b) { return {a.x * b.x, a.x * b.y, a.y * b.x, a.y * b.y}; }
 constexpr double trace(const Tensor2& a) { return a.xx + a.yy; }
+/// Radius of Mohr's circle: half the difference of the principal values of the symmetric part.
+inline double mohr_radius(const Tensor2& a) { return 0.5 * std::hypot(a.xx - a.yy, a.xy + a.yx); }
 
 }  // namespace arenite

@@ -6,27 +6,31 @@
 namespace arenite::geometry {
 
 /// A rotation in space as a unit quaternion: the cosine of half its angle, and its axis times the sine of that.
-struct Rotation {
-  double cosine = 1;
-  Vec3 sine{};
-  bool operator==(const Rotation&) const = default;
+template <class V> struct RotationOf {
+  V cosine = V(1.0);
+  Vec<3, V> sine{};
+  bool operator==(const RotationOf&) const = default;
 };
+using Rotation = RotationOf<double>;
 
 /// First b, then a.
-inline Rotation operator*(const Rotation& a, const Rotation& b) {
+template <class V> inline RotationOf<V> operator*(const RotationOf<V>& a, const RotationOf<V>& b) {
   return {a.cosine * b.cosine - dot(a.sine, b.sine), a.cosine * b.sine + b.cosine * a.sine + cross(a.sine, b.sine)};
 }
-inline Rotation inverse(const Rotation& r) { return {r.cosine, -r.sine}; }
+template <class V> inline RotationOf<V> inverse(const RotationOf<V>& r) { return {r.cosine, -r.sine}; }
 
-inline Vec3 turned(const Rotation& r, Vec3 v) {
-  const Vec3 twice = 2 * cross(r.sine, v);
+template <class V> inline Vec<3, V> turned(const RotationOf<V>& r, Vec<3, V> v) {
+  const Vec<3, V> twice = V(2.0) * cross(r.sine, v);
   return v + r.cosine * twice + cross(r.sine, twice);
 }
 
 /// About the axis of a vector, by its length, rad.
 inline Rotation rotation_by(Vec3 vector) {
-  const double half = 0.5 * norm(vector), square = half * half;
-  if (half > 1e-4) return {std::cos(half), std::sin(half) / (2 * half) * vector};
+  const double square = 0.25 * dot(vector, vector);
+  if (square > 1e-8) {
+    const double half = std::sqrt(square);
+    return {std::cos(half), std::sin(half) / (2 * half) * vector};
+  }
   return {1 - square / 2, (0.5 - square / 12) * vector};  // exact to the last bit
 }
 
@@ -40,8 +44,8 @@ inline Vec3 vector_of(const Rotation& r) {
 
 /// With rounding errors taken off its length.
 inline Rotation normalised(const Rotation& r) {
-  const double size = std::sqrt(r.cosine * r.cosine + dot(r.sine, r.sine));
-  return {r.cosine / size, r.sine / size};
+  const double share = 1 / std::sqrt(r.cosine * r.cosine + dot(r.sine, r.sine));
+  return {share * r.cosine, share * r.sine};
 }
 
 }  // namespace arenite::geometry

@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/option.hpp"
+#include "grains/fields/loading.hpp"
 #include "grains/fields/state_curves.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
@@ -23,26 +24,6 @@ namespace arenite::report {
 namespace {
 
 using statistics::Columns;
-
-/// Of the box of every state, compression positive.
-template <int D> Columns strains_of(const StageResultIn<D>& stage, const DomainIn<D>& start) {
-  std::vector<double> strains[D], volumes;
-  for (const SnapshotIn<D>& state : stage.snapshots) {
-    double left = 1;
-    for (int axis = 0; axis < D; ++axis) {
-      const double ratio = state.packing.domain.extent(axis) / start.extent(axis);
-      strains[axis].push_back(1 - ratio);
-      left *= ratio;
-    }
-    volumes.push_back(1 - left);
-  }
-  Columns found;
-  for (int axis = 0; axis < D; ++axis)
-    found.put(std::string("strain_") + "xyz"[axis], "", "Shortening of the box since the state before the stage",
-              std::move(strains[axis]));
-  found.put("volumetric_strain", "", "Decrease of the box since then over what it was", std::move(volumes));
-  return found;
-}
 
 /// A stage with what is told of its states.
 struct Told {
@@ -55,7 +36,7 @@ template <int D> Told told_of(const StageResultIn<D>& stage, const DomainIn<D>& 
   Told told{stage.name, mapped(stage.snapshots, &SnapshotIn<D>::label), {}};
   Columns& to = told.columns;
   to.put("time", "s", "Time of the state", mapped(stage.snapshots, &SnapshotIn<D>::time));
-  const Columns strains = strains_of(stage, start), numbers = fields::numbers_of_states<D>(stage);
+  const Columns strains = fields::strains_of_boxes<D>(stage, start), numbers = fields::numbers_of_states<D>(stage);
   for (const Columns* part : {&strains, &numbers}) to.list.insert(to.list.end(), part->list.begin(), part->list.end());
   to.put("mobilisation", "", "Mean |F_t|/F_n of the contacts that push",
          mapped(stage.snapshots, [](const auto& state) { return state.equilibrium.mobilisation; }));

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -20,6 +21,7 @@ std::vector<Estimate> fit_law(const Law& law, std::vector<double> start, const s
 /// y = factor x^exponent.
 struct PowerLaw {
   Estimate factor, exponent;
+  double at(double x) const { return factor.value * std::pow(x, exponent.value); }
 };
 /// Likewise, of points above 0 at two places at least.
 PowerLaw fit_power(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& error);

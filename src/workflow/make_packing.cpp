@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/fill.hpp"
 #include "grains/packing/population.hpp"
@@ -104,9 +105,12 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
 
 std::string read(const recipe::Recipe& recipe, Packing& packing) {
   const auto path = recipe.beside(recipe.packing.file);
-  packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain);
+  std::vector<std::string> notes;
+  packing.grains = io::read_placed_grains(path, recipe.materials, packing.domain, notes);
   const auto report = packing::relax(packing.grains, packing.domain, 1e-3);
-  return fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
+  const std::string outcome =
+      fmt::format("read from file with overlaps up to {:.2g} %, {}", 100 * report.overlap_before, describe(report));
+  return notes.empty() ? outcome : outcome + ". " + list_of(notes, " ");
 }
 
 /// The classes get the materials that [bidisperse] names for them.
@@ -154,8 +158,8 @@ SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
     return result;
   }
   if (!height_given)
-    height =
-        packing.grains.volume() / (recipe.packing.solid_fraction * recipe.container.width * recipe.container.depth);
+    height = packing::height_for(packing.grains, recipe.container.width, recipe.container.depth,
+                                 recipe.packing.solid_fraction);
   const DomainIn<3> part = area_of(packing.domain, recipe.packing.area);
   result.outcome = "random filling, " + describe(packing::fill_at_random<3>(packing.grains, part, recipe.seed));
   return result;

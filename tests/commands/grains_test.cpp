@@ -57,8 +57,10 @@ TEST(GrainsCommand, WritesATableThatASimulationStartsFrom) {
   Domain frame;
   frame.wall[right].position = 0.15;
   frame.wall[top].position = 0.08;
-  const Grains grains =
-      io::read_placed_grains(folder / "o" / "grains.csv", {{"HDPE", 950, 6e6, 0}, {"POM", 1400, 27e6, 0}}, frame);
+  std::vector<std::string> notes;
+  const Grains grains = io::read_placed_grains(folder / "o" / "grains.csv",
+                                               {{"HDPE", 950, 6e6, 0}, {"POM", 1400, 27e6, 0}}, frame, notes);
+  EXPECT_TRUE(notes.empty());
   ASSERT_EQ(grains.size(), 12u);
   for (const auto& d : some_disks()) {
     int at = 0;

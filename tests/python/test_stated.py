@@ -117,6 +117,37 @@ def test_a_stack_of_tiff_that_states_all_three_sides_needs_no_other(tmp_path):
     assert not found.has_length and "states pixels of 3.937" in told  # a pixel alone makes no cube
 
 
+def test_slices_whose_numbers_rise_by_two_are_told(tmp_path):
+    for step in (1, 2):
+        folder = tmp_path / f"by{step}"
+        folder.mkdir()
+        for k, layer in enumerate(PHASE):
+            Image.fromarray(layer).save(folder / f"slice_{step * k:03}.tif")
+        assert ("rise by 2" in read(folder)[1]) == (step == 2)
+
+
+def test_units_in_the_headers_of_images_are_those_of_their_voxels(tmp_path):
+    def meta(name, *lines, numbers=PHASE.tobytes()):
+        size = " ".join(map(str, PHASE.shape[::-1]))
+        head = ["ObjectType = Image", "NDims = 3", f"DimSize = {size}", "ElementType = MET_UCHAR", *lines]
+        (tmp_path / name).write_bytes("\n".join([*head, "ElementDataFile = LOCAL\n"]).encode() + numbers)
+        return tmp_path / name
+
+    found, told = read(meta("um.mha", "ElementSpacing = 2 2 2", "DistanceUnits = um"))
+    assert found.dx == pytest.approx(2e-6) and "ITK" not in told
+    found, told = read(meta("mm.mha", "ElementSpacing = 2 2 2"))
+    assert found.dx == pytest.approx(2e-3) and "taken in mm, as ITK does" in told
+    with pytest.raises(ValueError, match="numbers as text .BinaryData = False."):
+        read(meta("text.mha", "BinaryData = False", numbers=b"1 2 1"))
+
+    size = " ".join(map(str, PHASE.shape[::-1]))
+    for field, more in (("spacings: 2 2 2", "units"), ("spacings: 2 2 2", "space units")):
+        head = ["NRRD0004", "type: uint8", "dimension: 3", f"sizes: {size}", "encoding: raw", field]
+        head.append(f'{more}: "um" "um" "um"')
+        (tmp_path / "a.nrrd").write_bytes("\n".join(head).encode() + b"\n\n" + PHASE.tobytes())
+        assert read(tmp_path / "a.nrrd")[0].dx == pytest.approx(2e-6)
+
+
 @pytest.mark.parametrize("kind, ending", [("vtkMetaImageWriter", "mha"), ("vtkNIFTIImageWriter", "nii")])
 def test_spacings_that_vtk_writes_are_sides_where_they_have_a_unit(tmp_path, kind, ending):
     vtk = pytest.importorskip("vtk")

@@ -2,6 +2,7 @@
 // modes, a bent cantilever yields as a beam of springs does, and what tumbles keeps energy and angular momentum.
 #include "balance.hpp"
 #include "core/error.hpp"
+#include "grains/dem/parts/beam_motion.hpp"
 #include "grains/dem/save.hpp"
 #include "spheres.hpp"
 
@@ -202,6 +203,54 @@ TEST(SphereBonds, GoOnFromAStoredStateToTheLastBit) {
   EXPECT_EQ(state_hash(again), state_hash(one.s));
   advance(two.s, two.pool, 1500);
   EXPECT_EQ(state_hash(two.s), state_hash(one.s)) << "whatever the threads";
+}
+
+TEST(SphereBonds, TheLoopSaysOfAllWhatTheLawSaysOfOne) {
+  Block c;
+  advance(c.s, c.pool, 600);
+  const auto& bonds = the<BondsIn<3>>(c.s);
+  int held = 0;
+  for (std::size_t n = 0; n < bonds.slots.size(); ++n) {
+    const BondSlotIn<3>& b = bonds.slots[n];
+    if (b.state != BondState::holds) continue;
+    ++held;
+    const BeamMotionIn<3> m = beam_motion(c.s, b);
+    const RoundForce f = c.law.elastic(b.beam, m.strain) + beam_dashpots(c.s, b, m);
+    const SlotForce<3> one = beam_slot_force(b, m, f), of_loop = c.s.list.force[bonds.place(c.s.list, n)];
+    const double size = norm(one.on_i), turning = norm(one.torque_i) + norm(one.torque_j);
+    expect_near(of_loop.on_i, one.on_i, 1e-9 * size);
+    expect_near(of_loop.torque_i, one.torque_i, 1e-9 * turning);
+    expect_near(of_loop.torque_j, one.torque_j, 1e-9 * turning);
+  }
+  EXPECT_GT(held, 100);
+}
+
+TEST(SphereBonds, HaveTheSameBitsByEveryKernel) {
+  Block fast, portable;
+  portable.s.kernel = &find_kernel<3>("portable");
+  for (Block* c : {&fast, &portable}) advance(c->s, c->pool, 1200);
+  EXPECT_LT(count_bonds(fast.s).intact, count_bonds(fast.s).made());
+  EXPECT_EQ(state_hash(fast.s), state_hash(portable.s)) << fast.s.kernel->name;
+}
+
+/// One that is twisted further than the loop goes, by more than a quarter of a turn, is a torsion pendulum still.
+TEST(SphereBonds, TwistByMoreThanAQuarterOfATurn) {
+  Bonded c;
+  c.integration.safety = 5e-4;
+  const double turned = 2.0;
+  c.add(r, {0.05, 0.05, 0.05});
+  c.add(r, {0.05 - l, 0.05, 0.05});
+  const double frequency = std::sqrt(2 * c.beam().twist / c.inertia(0));
+  c.start.grains.omega = {{0.5 * turned * frequency, 0, 0}, {-0.5 * turned * frequency, 0, 0}};
+  c.bond();
+  const double stiffness = c.beam().twist;
+  double most = 0;
+  for (int n = 0; n < 40; ++n) {
+    c.go_on(2 * std::numbers::pi / frequency / 40);
+    most = std::max(most, bond_energy(c.s));
+  }
+  EXPECT_NEAR(most, 0.5 * stiffness * turned * turned, 1e-2 * most);
+  expect_near(packing_of(c.s).grains.omega[0], {0.5 * turned * frequency, 0, 0}, 1e-2 * turned * frequency);
 }
 
 /// A packing that brings its bonds is strained as it was.

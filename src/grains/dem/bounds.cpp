@@ -12,9 +12,8 @@
 namespace arenite::dem {
 namespace {
 
-/// Hertz contacts stiffen without end; bounds hold for h/R* up to this, or the largest there is.
 template <int D> double reference_overlap(const SampleIn<D>& s) {
-  double largest = 0.02;
+  double largest = reference_share;
   for (std::size_t p = 0; p < s.list.size(); ++p)
     if (const Kinematics<D> c = slot_kinematics(s, p); c.overlap > 0)
       largest = std::max(largest, c.overlap * c.curvature);

@@ -7,6 +7,10 @@ namespace arenite::dem {
 
 template <int D> struct SampleIn;
 
+/// Hertz contacts stiffen without end: bounds of the step hold for overlaps up to this share of R*, or the largest
+/// there is.
+inline constexpr double reference_share = 0.02;
+
 /// Largest steps that the sample in hand allows, s.
 struct StepBounds {
   double stiffness = 0;  ///< from the largest eigenfrequency bound of a grain's contacts

@@ -91,15 +91,21 @@ template <int D> double following_damping(const SampleIn<D>& s, std::size_t side
   return speed > 0 ? std::min(body.impedance * std::sqrt(body.mass / body.sample_mass), target / speed) : 0;
 }
 
+/// c at which a loaded wall moves no faster than the stage's inertial number allows where the sample does not bear it,
+/// N s/m.
+template <int D> double yielding_damping(const SampleIn<D>& s, std::size_t side) {
+  const auto& body = s.wall[side];
+  const double length = s.domain.extent(axis_of(static_cast<int>(side)));
+  return std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
+}
+
 /// c of a force-controlled wall, N s/m.
 template <int D> double servo_damping(const SampleIn<D>& s, std::size_t side) {
   if (is_driven(s)) return following_damping(s, side);
   const auto& body = s.wall[side];
   const double carried = std::max(s.domain.wall[side].force, 0.0);
   const double share = carried >= body.drive.value ? 1.0 : carried / body.drive.value;
-  const double length = s.domain.extent(axis_of(static_cast<int>(side)));
-  const double yielding = std::sqrt(std::max(body.drive.value, 0.0) * body.sample_mass / length) / s.inertial_number;
-  return std::min(body.impedance, yielding) * share;
+  return std::min(body.impedance, yielding_damping(s, side)) * share;
 }
 
 /// Braking force on a force-controlled wall at this velocity, N along its axis; 0 unless force-controlled.

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -13,6 +15,10 @@ constexpr double runout_bend = 2.5;  ///< aspect ratio at which collapses change
 /// Chem. Eng. Sci. 15, 260, 1961), factor C rho_b sqrt(g) times the out-of-plane length, lost_width k d.
 struct BeverlooLaw {
   statistics::Estimate factor, lost_width, exponent;
+  /// Rate, kg/s, through an opening, m.
+  double at(double opening) const {
+    return factor.value * std::pow(std::max(opening - lost_width.value, 0.0), exponent.value);
+  }
 };
 /// Of rates of discharge, kg/s, through openings, m. An exponent that is given has no error.
 BeverlooLaw fit_beverloo(const std::vector<double>& opening, const std::vector<double>& rate,
@@ -31,6 +37,8 @@ RunoutLaws fit_runout(const std::vector<double>& aspect_ratio, const std::vector
 /// p = saturation (1 - exp(-H/length)) (H. A. Janssen, Z. VDI 39, 1045, 1895), Pa and m.
 struct JanssenLaw {
   statistics::Estimate saturation, length;
+  /// Pressure, Pa, under a filling of that height, m.
+  double at(double height) const { return -saturation.value * std::expm1(-height / length.value); }
 };
 /// Of pressures, Pa, under fillings of such heights, m, beside those of a liquid.
 JanssenLaw fit_janssen(const std::vector<double>& height, const std::vector<double>& pressure,

@@ -101,7 +101,7 @@ std::vector<GrainCompression> grain_compressions(const Packing& packing) {
     const double r = packing.grains.radius[g], volume = std::numbers::pi * r * r * thickness;
     const Tensor2& m = moments[g];
     const double mean = -0.5 * trace(m), difference = -0.5 * (m.xx - m.yy), shear = -0.5 * (m.xy + m.yx);
-    const double radius = std::hypot(difference, shear);
+    const double radius = mohr_radius(m);
     out[g].major = (mean + radius) / volume;
     if (!(radius > 1e-12 * std::abs(mean))) continue;  // rounding of a few contacts' sum
     const double angle = 0.5 * std::atan2(shear, difference);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include "core/mapped.hpp"
@@ -78,24 +80,24 @@ const Values* uniaxial_stress(const SideStresses& s, const Values& xx, const Val
   return nullptr;
 }
 
-void put_sides(const Values& x, const Values& y, Columns& to) {
-  to.put("strain_x", "", "Shortening of the width over the width before the stage", x);
-  to.put("strain_y", "", "Shortening of the height over the height before the stage", y);
-}
-
-void put_volume(const Values& x, const Values& y, Columns& to) {
+/// By the shortening of every axis.
+template <std::size_t D> Values volume_lost(const std::array<Values, D>& strains) {
   Values volume;
-  for (std::size_t k = 0; k < x.size(); ++k) volume.push_back(1 - (1 - x[k]) * (1 - y[k]));
-  to.put("volumetric_strain", "", "Decrease of the box's area over the area before the stage", std::move(volume));
+  for (std::size_t k = 0; k < strains[0].size(); ++k) {
+    double left = 1;
+    for (const Values& along : strains) left *= 1 - along[k];
+    volume.push_back(1 - left);
+  }
+  return volume;
 }
 
-/// Of the box of every state.
-std::array<Values, 2> shortening(const std::vector<Snapshot>& states, double width, double height) {
-  std::array<Values, 2> of;
-  for (const Snapshot& state : states) {
-    of[0].push_back(1 - state.packing.domain.width() / width);
-    of[1].push_back(1 - state.packing.domain.height() / height);
-  }
+/// Of the box of every state along the axes.
+template <int D>
+std::array<Values, static_cast<std::size_t>(D)> shortening(const std::vector<SnapshotIn<D>>& states,
+                                                           const Vec<D>& before) {
+  std::array<Values, static_cast<std::size_t>(D)> of;
+  for (int axis = 0; axis < D; ++axis)
+    of[axis] = mapped(states, [&](const auto& state) { return 1 - state.packing.domain.extent(axis) / before[axis]; });
   return of;
 }
 
@@ -104,9 +106,11 @@ void put_strains(const Loading& of, const Values& x, const Values& y, const Valu
   Values deviator = shear;
   for (std::size_t k = 0; k < x.size(); ++k)
     if (!of.sheared) deviator.push_back(axial[k] - lateral[k]);
-  put_sides(x, y, to);
+  to.put("strain_x", "", "Shortening of the width over the width before the stage", x);
+  to.put("strain_y", "", "Shortening of the height over the height before the stage", y);
   to.put("axial_strain", "", "Strain along the axis of compression", axial);
-  put_volume(x, y, to);
+  to.put("volumetric_strain", "", "Decrease of the box's area over the area before the stage",
+         volume_lost(std::array{x, y}));
   to.put("shear_strain", "",
          of.sheared ? "Shear strain of the cell, or by the walls that slide, since the first row"
                     : "Axial minus lateral strain",
@@ -126,7 +130,7 @@ void put_stresses(Loading& of, const SideStresses& s, double thickness) {
     Values p, q;
     for (std::size_t k = 0; k < xx.size(); ++k) {
       p.push_back(0.5 * (xx[k] + yy[k]));
-      q.push_back(std::hypot(0.5 * (xx[k] - yy[k]), tau[k]));
+      q.push_back(mohr_radius({xx[k], tau[k], tau[k], yy[k]}));
     }
     to.put("p", "Pa", "Mean of the two normal stresses on the sides", p);
     to.put("q", "Pa", "Half the difference of the principal stresses on the sides", q);
@@ -260,7 +264,7 @@ Columns strains_of_states(const Test& test) {
   if (!of) return found;
   const auto s = *side_stresses(test.stage.history);
   const Start start = start_of(test, s);
-  const auto [x, y] = shortening(test.stage.snapshots, start.width, start.height);
+  const auto [x, y] = shortening(test.stage.snapshots, {start.width, start.height});
   Values time, shear;
   for (const Snapshot& state : test.stage.snapshots) {
     time.push_back(state.time - s.time.front());
@@ -270,6 +274,18 @@ Columns strains_of_states(const Test& test) {
   put_strains(*of, x, y, shear, found);
   return found;
 }
+
+template <int D> Columns strains_of_boxes(const StageResultIn<D>& stage, const DomainIn<D>& before) {
+  const auto strains = shortening(stage.snapshots, by_axis<D>([&](int axis) { return before.extent(axis); }));
+  Columns found;
+  for (int axis = 0; axis < D; ++axis)
+    found.put(std::string("strain_") + "xyz"[axis], "", "Shortening of the box since the state before the stage",
+              strains[axis]);
+  found.put("volumetric_strain", "", "Decrease of the box since then over what it was", volume_lost(strains));
+  return found;
+}
+template Columns strains_of_boxes(const StageResult&, const Domain&);
+template Columns strains_of_boxes(const SphereResult&, const DomainIn<3>&);
 
 double at_time(const Values& time, const Values& values, double t) {
   const auto after = static_cast<std::size_t>(std::ranges::lower_bound(time, t) - time.begin());

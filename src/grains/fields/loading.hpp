@@ -38,6 +38,10 @@ std::optional<Loading> loading_in(const History& rows, const Test& test);
 /// Strains of a test at its stored states, named as above, behind their `time`.
 statistics::Columns strains_of_states(const Test& test);
 
+/// Strains of the box of every stored state against a box before them, compression positive: `strain_x` and so on along
+/// the axes, and `volumetric_strain`.
+template <int D> statistics::Columns strains_of_boxes(const StageResultIn<D>& stage, const DomainIn<D>& before);
+
 /// `dissipated_energy` and `work`, J, since the first row; nothing where energies were not tracked.
 statistics::Columns energies_of(const History& rows);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grains/dem/walls.hpp"
 #include "grains/lammps/laws.hpp"
 
 namespace arenite::lammps {
@@ -86,11 +87,10 @@ struct Braking {
 };
 template <int D> Braking braking_of(const dem::SampleIn<D>& s, int side) {
   const auto& body = s.wall[side];
-  const double aim = std::max(body.drive.value, 0.0), length = s.domain.extent(axis_of(side));
-  const double yielding = std::sqrt(aim * body.sample_mass / length) / s.inertial_number;
+  const double yielding = dem::yielding_damping(s, static_cast<std::size_t>(side));
   const double bearing = std::clamp(yielding, 0.3 * body.impedance, body.impedance);
-  const double layers = std::max(1.0, length / (2 * s.largest_radius));
-  return {bearing, aim > 0 ? std::min(bearing, yielding / layers) : bearing};
+  const double layers = std::max(1.0, s.domain.extent(axis_of(side)) / (2 * s.largest_radius));
+  return {bearing, yielding > 0 ? std::min(bearing, yielding / layers) : bearing};
 }
 
 /// Load, aim and rate (inward, m/s) of something called `name`.

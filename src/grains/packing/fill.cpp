@@ -185,6 +185,9 @@ RelaxReport relax(GrainsIn<D>& grains, const DomainIn<D>& domain, double toleran
 double height_for(const Grains& grains, double width, double solid_fraction) {
   return grains.area() / (solid_fraction * width);
 }
+double height_for(const GrainsIn<3>& grains, double width, double depth, double solid_fraction) {
+  return grains.volume() / (solid_fraction * width * depth);
+}
 
 namespace {
 

@@ -22,6 +22,8 @@ RelaxReport relax(GrainsIn<D>& grains, const DomainIn<D>& domain, double toleran
 
 /// Height at which the grains fill `solid_fraction` of a box of that width, m.
 double height_for(const Grains& grains, double width, double solid_fraction);
+/// Of spheres in a box of that width and depth.
+double height_for(const GrainsIn<3>& grains, double width, double depth, double solid_fraction);
 
 /// Random places, then relax: no overlap larger than 1e-4 of the radii is left. Works up to a solid fraction of about
 /// 0.82 of disks and 0.62 of spheres; beyond it they jam, and InputError names the fraction. Same seed: same packing.

@@ -167,7 +167,7 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
 
 double pressure(const Tensor2& s) { return -0.5 * trace(s); }
 
-double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }
+double deviator(const Tensor2& s) { return mohr_radius(s); }
 
 /// By the internal moment of a grain.
 Tensor2 stress_of(const Packing& packing, std::size_t grain, const Tensor2& moment) {

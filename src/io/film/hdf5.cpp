@@ -187,7 +187,7 @@ const FilmFormat films::hdf5{
         {{"times of frames beside the film or as an attribute (time, timestamps, t, frame_times, acquisition_time ..)",
           "used, in the unit of units, unit or the name (time_ms); told where the unit is unknown or not stated, or "
           "where there are not as many as frames"},
-         {"numbers of frames likewise (frame_number, frame_index, frame_id ..)",
+         {"numbers of frames likewise (frame_number, frame_index, frame_id, frame, index, image_number ..)",
           "numbers that are missing give gaps in time where there are no times"},
          {"mask, valid, bad_pixels beside the film", "told, not used"},
          {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},

@@ -162,7 +162,7 @@ void look_for_times(hid_t file, hid_t set, const Bytes& bytes, Hdf5Facts& facts)
   // Of several the shortest name is the plainest: "time" before "time_ms" and "timestamps".
   std::ranges::stable_sort(times, {}, [](const OfFrames& each) { return each.name.size(); });
   take_times(first_whole(times, facts), facts);
-  take_frame_numbers(first_whole(stated_of_frames(file, set, bytes, facts, names_frame_numbers), facts), facts);
+  take_frame_numbers(first_whole(stated_of_frames(file, set, bytes, facts, names_array_of_numbers), facts), facts);
   tell_masks(file, facts);
 }
 

@@ -74,6 +74,32 @@ void take_value(std::string_view line, const std::string& unit_of_name, FrameWor
   else words.not_understood = fmt::format("{} {}", number, unit);
 }
 
+/// The unit of time behind a name, "[ms]" or "(s)", and what stands behind that.
+std::pair<std::string, std::string_view> unit_in_brackets(std::string_view text) {
+  const std::string_view bare = trimmed(text);
+  if (!bare.starts_with('[') && !bare.starts_with('(')) return {"", text};
+  const std::size_t end = bare.find(bare.front() == '[' ? ']' : ')');
+  if (end == bare.npos) return {"", text};
+  const std::string unit(trimmed(bare.substr(1, end - 1)));
+  return unit.empty() || !seconds_of(unit) ? std::pair(std::string(), text) : std::pair(unit, bare.substr(end + 1));
+}
+
+/// "frame rate = 30 Hz", "fps: 30".
+void find_rate(std::string_view line, FrameWords& words) {
+  const std::string low = lower_case(line);
+  for (const std::string_view name : {"frame rate", "frame_rate", "framerate", "fps"}) {
+    const std::size_t at = low.find(name);
+    if (at == low.npos || (at > 0 && is_letter(low[at - 1]))) continue;
+    const auto value = behind_sign(std::string_view(low).substr(at + name.size()), "=:");
+    if (!value) continue;
+    const std::size_t end = std::min(value->find_first_not_of("0123456789.e+-"), value->size());
+    const auto number = parse_number<double>(value->substr(0, end));
+    const std::string_view unit = trimmed(value->substr(end));
+    if (number && *number > 0 && (unit.empty() || unit.starts_with("hz") || unit.starts_with("fps") || unit == "1/s"))
+      words.rate = *number;
+  }
+}
+
 bool is_of_key(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 /// A time behind its key, before which no other word stands: an exposure time is none of a frame.
@@ -83,8 +109,10 @@ void find_time(std::string_view line, FrameWords& words) {
     while (end < line.size() && is_of_key(line[end])) ++end;
     const std::string_view before = trimmed(line.substr(0, at));
     const auto unit = end > at ? unit_of_time_name(line.substr(at, end - at)) : std::nullopt;
-    const auto value = behind_sign(line.substr(end), "=:");
-    if (unit && value && (before.empty() || !is_letter(before.back()))) take_value(*value, *unit, words);
+    const auto [own, behind] = unit_in_brackets(line.substr(end));
+    const auto value = behind_sign(behind, "=:");
+    if (unit && value && (before.empty() || !is_letter(before.back())))
+      take_value(*value, own.empty() ? *unit : own, words);
     at = std::max(end, at + 1);
   }
 }
@@ -123,12 +151,19 @@ bool names_frame_numbers(std::string_view name) {
                    "framenumber framenumbers frameindex frameindices frameid frameids frameno framenr framecounter");
 }
 
+bool names_array_of_numbers(std::string_view name) {
+  return names_frame_numbers(name) ||
+         is_one_of(bare_name(name),
+                   "frame frames index indices imagenumber imagenumbers imageindex imageid imagenr imageno");
+}
+
 FrameWords words_of_frame(std::string_view text) {
   FrameWords words;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     find_time(text.substr(0, end), words);
     if (words.number < 0) find_number(text.substr(0, end), words);
+    if (words.rate == 0) find_rate(text.substr(0, end), words);
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return words;

@@ -17,11 +17,14 @@ std::optional<std::string> unit_of_time_name(std::string_view name);
 
 /// Whether a name, in any case, is one of the numbers of frames: "frame_number", "FrameID".
 bool names_frame_numbers(std::string_view name);
+/// The same of an array with a number for each frame, which may be called no more than "frame" or "index".
+bool names_array_of_numbers(std::string_view name);
 
 /// What a text beside a frame says of it.
 struct FrameWords {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< s; NaN: not stated, or not understood
   std::int64_t number = -1;                                ///< -1: not stated
+  double rate = 0;                                         ///< frames a second; 0: not stated
   std::string not_understood;                              ///< what stands for a time and is none that is known
 };
 

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -183,6 +185,16 @@ class TextFilm : public KnownFilm {
     if (!std::isnan(said.time) || !said.not_understood.empty())
       next_.time = said.time, next_.not_understood = said.not_understood;
     if (said.number >= 0) next_.number = said.number;
+    if (said.rate > 0) info_.frame_rate = said.rate;
+    const std::string low = lower_case(line);
+    if (!told_ &&
+        (low.find("\u00b0f") != low.npos || low.find("fahrenheit") != low.npos || low.find("degf") != low.npos)) {
+      told_ = true;
+      info_.remarks.push_back(
+          fmt::format("Line {} states degrees Fahrenheit, which are not used: numbers are taken as a signal; give "
+                      "temperatures in K or \u00b0C.",
+                      number));
+    }
   }
 
   void begin_frame(const Place& place) {
@@ -235,6 +247,7 @@ class TextFilm : public KnownFilm {
   std::vector<FrameWords> words_;  ///< as stated before each frame
   std::optional<double> zero_;     ///< where its temperatures count from, K; nothing where it states no unit
   FrameWords next_;
+  bool told_ = false;  ///< of degrees Fahrenheit
 };
 
 bool is_text_film(std::string_view head) {
@@ -249,18 +262,22 @@ bool is_text_film(std::string_view head) {
 }  // namespace
 
 /// Numbers as text, a line a row; frames are parted by empty lines or lines that are no numbers.
-const FilmFormat films::text{.name = "text",
-                             .sentence = "frames of numbers as text",
-                             .states = {{"\"Frame N\" between frames", "numbers that are missing give gaps in time"},
-                                        {"\"time = 33.3 ms\", \"# Time: 0.033 s\", \"t=12:00:03.25\" between frames",
-                                         "used, without a unit in s; told where a time is not understood, or where "
-                                         "not all frames state one"},
-                                        {"a unit in a line above frames, \"Temperature [°C]\", \"unit = K\"",
-                                         "used: temperatures, of degrees Celsius counted from absolute zero"},
-                                        {"cells that are no numbers", "refused with line and column"}},
-                             .is = is_text_film,
-                             .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {
-                               return std::make_unique<TextFilm>(bytes, choice);
-                             }};
+const FilmFormat films::text{
+    .name = "text",
+    .sentence = "frames of numbers as text",
+    .states = {{"\"Frame N\" between frames", "numbers that are missing give gaps in time"},
+               {"\"time = 33.3 ms\", \"Time [ms]: 33.3\", \"# Time: 0.033 s\", \"t=12:00:03.25\" between frames",
+                "used, without a unit in s; told where a time is not understood, or where "
+                "not all frames state one"},
+               {"a unit in a line above frames, \"Temperature [°C]\", \"unit = K\"",
+                "used: temperatures, of degrees Celsius counted from absolute zero"},
+               {"\"frame rate = 30 Hz\", \"fps: 30\" in a line of words",
+                "used where frames state no times and no rate is given"},
+               {"degrees Fahrenheit", "told, not used: numbers are a signal"},
+               {"cells that are no numbers", "refused with line and column"}},
+    .is = is_text_film,
+    .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {
+      return std::make_unique<TextFilm>(bytes, choice);
+    }};
 
 }  // namespace arenite::io

@@ -4,23 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
-#include "core/error.hpp"
 #include "core/option.hpp"
 #include "core/text.hpp"
+#include "io/table/comment_units.hpp"
 
 namespace arenite::io {
 namespace {
-
-/// "# Units: mm" as "units" and "mm"; two empty texts for what is no comment of a name and what it is.
-std::pair<std::string, std::string_view> statement_in(std::string_view comment) {
-  comment = trimmed(comment);
-  comment.remove_prefix(std::min(comment.find_first_not_of("#% \t"), comment.size()));
-  const std::size_t at = comment.find_first_of(":=");
-  if (at == comment.npos) return {};
-  return {lower_case(trimmed(comment.substr(0, at))), comment.substr(at + 1)};
-}
 
 void give_unit(Table& table, std::initializer_list<std::string_view> names, const std::string& unit) {
   for (Table::Column& column : table.columns)
@@ -29,31 +19,12 @@ void give_unit(Table& table, std::initializer_list<std::string_view> names, cons
 
 }  // namespace
 
-std::string unit_among(std::string_view words, Dimension dimension) {
-  std::string blanks(words);
-  std::ranges::replace_if(
-      blanks, [](char c) { return c == ',' || c == ';' || c == '"'; }, ' ');
-  for (const std::string_view word : split_blanks(blanks)) try {
-      unit_factor(word, dimension);
-      return std::string(word);
-    } catch (const InputError&) {  // of something else
-    }
-  return {};
-}
-
 void take_units_of_comments(std::string_view text, const SampleOptions& options, Table& table) {
-  Lines lines(text);
-  for (std::string_view line; lines.next(line);) {
-    if (trimmed(line).empty()) continue;
-    if (trimmed(line).front() != '#' && trimmed(line).front() != '%') return;
-    const auto [name, words] = statement_in(line);
-    const bool of_all = name == "unit" || name == "units";
-    if (!options.length_unit && (of_all || name == "length unit" || name == "length_unit"))
-      give_unit(table, {"x", "y", "z", "radius", "r", "diameter", "d", "overlap"},
-                unit_among(words, dimension::length));
-    if (!options.force_unit && (of_all || name == "force unit" || name == "force_unit"))
-      give_unit(table, {"fn", "ft", "fx", "fy", "fz"}, unit_among(words, dimension::force));
-  }
+  if (!options.length_unit)
+    give_unit(table, {"x", "y", "z", "radius", "r", "diameter", "d", "overlap"},
+              unit_of_comments(text, "length", dimension::length));
+  if (!options.force_unit)
+    give_unit(table, {"fn", "ft", "fx", "fy", "fz"}, unit_of_comments(text, "force", dimension::force));
 }
 
 void StatedColumns::see(std::initializer_list<std::string_view> names, bool chosen) {

@@ -11,9 +11,6 @@
 
 namespace arenite::io {
 
-/// The first unit of a dimension among words that state some, "mm, N"; empty without one.
-std::string unit_among(std::string_view words, Dimension dimension);
-
 /// Gives lengths and forces without a unit of their own that which a comment above the table states, "# units: mm, N"
 /// or "# length unit = mm", unless the options give another.
 void take_units_of_comments(std::string_view text, const SampleOptions& options, Table& table);

@@ -51,6 +51,7 @@ std::optional<ContactGeometry<D>> grain_geometry(const PackingIn<D>& p, const Fr
   double distance = norm(branch);
   const bool is_far = ri > 0 && rj > 0 && distance > far_apart * (ri + rj);
   ContactGeometry<D> g;
+  if (ri > 0 && rj > 0) g.apart = distance / (ri + rj);
   if (row.normal) {
     if (!is_unit_normal(row, frame, problems)) return std::nullopt;
     g.n = frame.of(*row.normal) / norm(frame.of(*row.normal));

@@ -15,6 +15,7 @@ template <int D> struct ContactGeometry {
   double arm_i = 0, arm_j = 0;
   std::optional<double> gap;     ///< between the surfaces, where it is known; below 0 they overlap
   Vec<D> off_i, off_j;           ///< from the centres to where the arms begin
+  double apart = 0;              ///< of two centres, over the sum of their radii
   std::optional<double> turned;  ///< rad, of a normal that the row gives, from the line through two centres
 };
 

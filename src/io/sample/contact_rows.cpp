@@ -34,6 +34,12 @@ template <int D> ForceParts<D> parts_of(const RawContact& row, const Frame<D>& f
 template <int D> double force_of(const RawContact& row, const Frame<D>& frame) {
   return row.force_on_j ? norm(frame.of(*row.force_on_j)) : std::hypot(row.fn, row.ft);
 }
+/// What of it points out of the plane; of spheres nothing does.
+double across(const RawContact& row, const Frame<2>& frame) {
+  return row.force_on_j ? std::abs((*row.force_on_j)[3 - frame.axis[0] - frame.axis[1]]) : 0;
+}
+double across(const RawContact& /*row*/, const Frame<3>& /*frame*/) { return 0; }
+
 template <int D> double mean_force(const std::vector<RawContact>& rows, const Frame<D>& frame) {
   double sum = 0;
   for (const RawContact& row : rows) sum += force_of(row, frame) / static_cast<double>(rows.size());
@@ -86,6 +92,11 @@ template <int D> class ContactRows {
     ContactsIn<D>& c = packing_.contacts;
     if (std::ranges::none_of(c.off_i, is_off) && std::ranges::none_of(c.off_j, is_off)) c.off_i = c.off_j = {};
     tell_of_others(others_, packing_.domain, sample_.notes);
+    if (across_ > least_across * along_)
+      sample_.notes.push_back(
+          fmt::format("The forces have parts across the plane of the grains, {:.2g} times those in it on average; they "
+                      "are left aside, and the sums over the contacts lack them.",
+                      across_ / along_));
     if (apart_ > 0)
       sample_.notes.push_back(fmt::format(
           "{} of {} listed pairs have a gap between them and no force; they are no contacts and are left out.", apart_,
@@ -110,7 +121,9 @@ template <int D> class ContactRows {
       ++apart_;
       return;
     }
-    if (row.is_of_grains() && !row.normal && is_too_far(row, gi, static_cast<std::size_t>(j), *geometry->gap)) return;
+    if (row.is_of_grains() && is_too_far(row, geometry->apart)) return;
+    across_ += across(row, laid_.frame);
+    along_ += force_of(row, laid_.frame);
     if (row.wall >= 0 && !walls_.take(packing_, laid_, row, gi, problems_)) return;
     normals_.take(*geometry);
     if (const auto earlier = repeated(i, j, *geometry, row)) return merge(*earlier, f, row, both_ways);
@@ -140,13 +153,14 @@ template <int D> class ContactRows {
     return partner_of(row, laid_.frame, packing_.domain);
   }
 
-  bool is_too_far(const RawContact& row, std::size_t i, std::size_t j, double gap) {
-    const double ri = packing_.grains.radius[i], rj = packing_.grains.radius[j];
-    if (row.overlap || row.point || !(ri > 0 && rj > 0) || gap <= (far_apart - 1) * (ri + rj)) return false;
+  /// Across a side that no one says is periodic. Where no box is known a normal of its own says that it is.
+  bool is_too_far(const RawContact& row, double apart) {
+    const bool explained = row.normal ? !laid_.has_box : row.overlap.has_value();
+    if (explained || row.point || apart <= far_apart) return false;
     problems_.add(row.line,
                   "grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give {} and {} "
-                  "or nx, ny if they touch across a periodic side",
-                  row.i, row.j, (gap + ri + rj) / (ri + rj), option("box"), option("periodic"));
+                  "{}if they touch across a periodic side",
+                  row.i, row.j, apart, option("box"), option("periodic"), laid_.has_box ? "" : "or nx, ny ");
     return true;
   }
 
@@ -190,6 +204,7 @@ template <int D> class ContactRows {
   }
 
   static constexpr double touching = 1e-9, no_force = 1e-9;  ///< rounding: of a radius, and of the mean force
+  static constexpr double least_across = 1e-5;               ///< six digits
 
   const Laid<D>& laid_;
   const GrainIndex& index_;
@@ -200,6 +215,7 @@ template <int D> class ContactRows {
   std::multimap<std::pair<std::int32_t, std::int32_t>, std::size_t> taken_;  ///< contacts by their pair of grains
   std::vector<int> lines_, rows_merged_;
   std::size_t apart_ = 0, others_ = 0;
+  double across_ = 0, along_ = 0;  ///< N, sums
   PlacesOfWalls<D> walls_;
   TurnedNormals<D> normals_;
   double least_force_ = 0;  ///< N

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,56 +14,17 @@
 #include "core/text.hpp"
 #include "io/sample/column_units.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/number_columns.hpp"
 #include "io/sample/table_snapshots.hpp"
 
 namespace arenite::io {
 namespace {
 
-/// A column of numbers, which need not be there: its value in a row in SI.
-struct Field {
-  const Table::Column* column = nullptr;
-  std::size_t at = 0;
-  double factor = 1;
-  Problems* problems = nullptr;
-  explicit operator bool() const { return column != nullptr; }
-  double operator()(const Table::Row& row) const {
-    return number_or_problem(row.cells[at], column->name, factor, row.line, *problems);
-  }
-};
-
-Field find_field(const Table& table, std::initializer_list<std::string_view> names, Dimension dimension,
-                 double by_default, Problems& problems) {
-  const auto at = table.find(names);
-  if (!at) return {};
-  const auto& column = table.columns[*at];
-  return {&column, *at, factor_or_problem(column.unit, column.name, dimension, by_default, table.header_line, problems),
-          &problems};
-}
-
-bool is_in_pixels(const Table::Column& column) { return column.unit == "px"; }
-
-bool knows_pixels(const Table& table, const SampleOptions& options, Problems& problems) {
-  if (options.pixel > 0 || std::ranges::none_of(table.columns, is_in_pixels)) return true;
-  problems.add(table.header_line,
-               "lengths are in pixels (px), whose width on the sample is not known; give it to `arenite measure` by "
-               "{0}, for example {0} \"1.6 mm\", or to `arenite grains`, which then writes the table in mm",
-               option("pixel"));
-  return false;
-}
-
-/// A length; one in pixels, as `arenite grains` writes it where their width is not given, has their width for a factor.
-Field find_length(const Table& table, std::initializer_list<std::string_view> names, const SampleOptions& options,
-                  Problems& problems) {
-  if (const auto at = table.find(names); at && is_in_pixels(table.columns[*at]))
-    return {&table.columns[*at], *at, options.pixel, &problems};
-  return find_field(table, names, dimension::length, options.length(), problems);
-}
-
 /// Says so where SI was assumed, since a factor of 1000 is easily overlooked.
-void note_assumed_unit(const Table& table, const char* column, bool chosen, const char* what, const char* si,
-                       const char* other, std::vector<std::string>& notes) {
+void note_assumed_unit(const SampleOptions& options, const Table& table, const char* column, bool chosen,
+                       const char* what, const char* si, const char* other, std::vector<std::string>& notes) {
   if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty())
-    notes.push_back(assumed_unit(what, si, other, column));
+    notes.push_back(assumed_unit(options, what, si, other, column));
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
@@ -114,23 +75,17 @@ RawGrains read_grains_csv(const Reading& reading) {
   RawGrains grains = grains_in(table, "grains need id, x, y, radius and may have z, material, zone", options, problems);
   units.tell(grains.notes);
   if (!units.are_mixed())
-    note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "length-unit", grains.notes);
+    note_assumed_unit(options, table, "x", options.length_unit.has_value(), "length", "m", "length-unit", grains.notes);
   note_fewer(snapshots.sizes(), reading.snapshot, grains.notes);
   return grains;
 }
 
-/// A vector whose components are columns; without those along the axes of the sample it is not there.
-struct VectorField {
-  std::array<Field, 3> component;
-  bool is_there = false;
-  VectorField(const std::array<Field, 3>& fields, const std::vector<int>& axes)
-      : component(fields),
-        is_there(std::ranges::all_of(axes, [&](int axis) { return bool(fields[axis]); })) {}
-  std::optional<Vec3> operator()(const Table::Row& row) const {
-    if (!is_there) return std::nullopt;
-    return by_axis<3>([&](int axis) { return component[axis] ? component[axis](row) : 0.0; });
-  }
-};
+/// Whether a force by its components in the plane is as large as by its parts along and across the normal, to three
+/// digits.
+bool are_one_force(Vec3 force, const std::vector<int>& axes, double fn, double ft) {
+  const double size = std::hypot(force[axes[0]], force[axes[1]]);
+  return std::abs(size - std::hypot(fn, ft)) <= 1e-3 * size;
+}
 
 RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   const SampleOptions& options = reading.options;
@@ -142,15 +97,15 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   RawContacts contacts;
   const auto i = table.find({"i", "id1"}), j = table.find({"j", "id2"});
   const auto force = [&](const char* name) {
-    return find_field(table, {name}, dimension::force, options.force(), problems);
+    return find_number(table, {name}, dimension::force, options.force(), problems);
   };
-  const auto part = [&](const char* name) { return find_field(table, {name}, dimension::none, 1, problems); };
+  const auto part = [&](const char* name) { return find_number(table, {name}, dimension::none, 1, problems); };
   const auto length = [&](const char* name) { return find_length(table, {name}, options, problems); };
-  const Field fn = force("fn"), ft = force("ft"), overlap = length("overlap");
+  const NumberColumn fn = force("fn"), ft = force("ft"), overlap = length("overlap");
   const std::vector<int> axes = grains.axes();
-  const VectorField whole({force("fx"), force("fy"), force("fz")}, axes);
-  const VectorField normal({part("nx"), part("ny"), part("nz")}, axes);
-  const VectorField point({length("x"), length("y"), length("z")}, axes);
+  const VectorColumns whole({force("fx"), force("fy"), force("fz")}, axes);
+  const VectorColumns normal({part("nx"), part("ny"), part("nz")}, axes);
+  const VectorColumns point({length("x"), length("y"), length("z")}, axes);
   const char* kind =
       grains.in_space ? "contacts of spheres need i, j and fx, fy, fz of the force on j (or fn without friction) and "
                         "may have nx, ny, nz, overlap and x, y, z of the contact point"
@@ -173,7 +128,10 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   units.see({"overlap"}, length_given);
   units.tell(contacts.notes);
   if (!units.are_mixed())
-    note_assumed_unit(table, vector ? "fx" : "fn", force_given, "force", "N", "force-unit", contacts.notes);
+    note_assumed_unit(options, table, vector ? "fx" : "fn", force_given, "force", "N", "force-unit", contacts.notes);
+  if (!vector && !ft && !grains.in_space)
+    contacts.notes.push_back(
+        "The contacts have no column ft, so they were taken as frictionless: tangential forces are not known.");
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;
@@ -194,6 +152,8 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
     else if (contact.normal && is_plain_name(other) && !to_number(other)) contact.boundary = other;
     else contact.j = integer_or_problem(other, "j", row.line, problems);
     if (!vector) contact.fn = fn(row);
+    if (!vector && ft && whole.is_there && !are_one_force(*whole(row), axes, contact.fn, ft(row)))
+      problems.add(row.line, "fx, fy and fn, ft contradict each other; leave two of the columns out");
     if (!vector && ft) contact.ft = ft(row);
     if (grains.in_space && contact.ft != 0)
       return problems.add(row.line,
@@ -238,6 +198,8 @@ const SampleFormat samples::csv{
          {"nx, ny",
           "refused where most are turned from the line through the centres by more than 20 degrees, a few told"},
          {"walls in column i", "taken as in column j, with the normal and the force turned round"},
+         {"fx, fy beside fn, ft", "fn, ft are taken; refused where the two contradict each other"},
+         {"contacts without ft", "frictionless, told"},
          {"snapshots with fewer grains than others", "told"},
          {"materials of some grains only", "told"},
          {"rows without a force",
@@ -255,19 +217,22 @@ const SampleFormat samples::csv{
     .grain_moments = grain_moments_csv,
     .contact_moments = contact_moments_csv};
 
-std::string assumed_unit(const char* what, const char* si, const char* other, const char* column) {
-  const std::string header = *column ? fmt::format(" or a header such as \"{} [...]\"", column) : "";
-  return fmt::format("The file states no unit of {}, so {} was assumed; {}{} changes this.", what, si, option(other),
-                     header);
+std::string assumed_unit(const SampleOptions& options, const char* what, const char* si, const char* other,
+                         const char* column) {
+  std::vector<std::string> mends;
+  if (options.may_be_given) mends.push_back(option(other));
+  if (*column) mends.push_back(fmt::format("a header such as \"{} [...]\"", column));
+  const std::string mend = mends.empty() ? "" : "; " + list_of(mends, " or ") + " changes this";
+  return fmt::format("The file states no unit of {}, so {} was assumed{}.", what, si, mend);
 }
 
 RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems) {
   RawGrains grains;
   const auto id = table.find({"id", "grain"}), material = table.find({"material"}), zone = table.find({"zone"});
-  const Field x = find_length(table, {"x"}, options, problems), y = find_length(table, {"y"}, options, problems);
-  const Field z = find_length(table, {"z"}, options, problems);
-  const Field radius = find_length(table, {"radius", "r"}, options, problems),
-              diameter = find_length(table, {"diameter", "d"}, options, problems);
+  const NumberColumn x = find_length(table, {"x"}, options, problems), y = find_length(table, {"y"}, options, problems);
+  const NumberColumn z = find_length(table, {"z"}, options, problems);
+  const NumberColumn radius = find_length(table, {"radius", "r"}, options, problems),
+                     diameter = find_length(table, {"diameter", "d"}, options, problems);
   require(table, bool(x), "x", needed, problems);
   require(table, bool(y), "y", needed, problems);
   if (options.dimension == 3) require(table, bool(z), "z", needed, problems);

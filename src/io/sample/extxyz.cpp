@@ -11,14 +11,15 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "io/sample/column_units.hpp"
 #include "io/sample/formats.hpp"
+#include "io/table/comment_units.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {
 
-/// The second line of a frame: name=value or name="several values"; names in lower case.
+/// The second line of a frame: name=value or name="several values", which some write in single quotes, brackets or
+/// braces; names in lower case.
 std::map<std::string, std::string_view> pairs_in(std::string_view line) {
   std::map<std::string, std::string_view> pairs;
   while (true) {
@@ -27,10 +28,12 @@ std::map<std::string, std::string_view> pairs_in(std::string_view line) {
     if (equals == line.npos) return pairs;
     std::string_view name = trimmed(line.substr(0, equals));
     if (const auto blank = name.find_last_of(" \t"); blank != name.npos) name.remove_prefix(blank + 1);
-    line.remove_prefix(equals + 1);
-    const bool quoted = line.starts_with('"');
+    line = trimmed(line.substr(equals + 1));
+    constexpr std::string_view opening = "\"'[{", closing = "\"']}";
+    const std::size_t quote = line.empty() ? opening.npos : opening.find(line.front());
+    const bool quoted = quote != opening.npos;
     if (quoted) line.remove_prefix(1);
-    const std::size_t end = std::min(line.find_first_of(quoted ? "\"" : " \t"), line.size());
+    const std::size_t end = std::min(quoted ? line.find(closing[quote]) : line.find_first_of(" \t"), line.size());
     pairs.emplace(lower_case(name), line.substr(0, end));
     line.remove_prefix(std::min(end + (quoted ? 1 : 0), line.size()));
   }
@@ -84,6 +87,21 @@ std::vector<std::string> property_columns(std::string_view properties) {
   return names;
 }
 
+/// Which sides are periodic, as three words or one for all; nothing where they say something else.
+std::optional<std::array<bool, 3>> periodic_sides(std::string_view stated) {
+  std::string text = lower_case(stated);
+  std::ranges::replace(text, ',', ' ');
+  std::vector<bool> flags;
+  for (const std::string_view word : split_blanks(text)) {
+    const bool yes = word == "t" || word == "true" || word == "1" || word == "yes";
+    if (!yes && word != "f" && word != "false" && word != "0" && word != "no") return std::nullopt;
+    flags.push_back(yes);
+  }
+  if (flags.size() == 1) flags.resize(3, flags.front());
+  if (flags.size() != 3) return std::nullopt;
+  return std::array{bool(flags[0]), bool(flags[1]), bool(flags[2])};
+}
+
 /// The three edges and the corner; periodic along all axes unless the file says otherwise.
 std::optional<RawCell> cell_in(const std::map<std::string, std::string_view>& pairs, double length, int line,
                                Problems& problems) {
@@ -105,9 +123,8 @@ std::optional<RawCell> cell_in(const std::map<std::string, std::string_view>& pa
   for (std::size_t k = 0; k < corner.size(); ++k) cell.corner[static_cast<int>(k)] = corner[k];
   cell.periodic = {true, true, true};
   if (const auto at = pairs.find("pbc"); at != pairs.end()) {
-    const auto flags = split_blanks(at->second);
-    for (std::size_t k = 0; k < 3; ++k)
-      cell.periodic[k] = k < flags.size() && (flags[k].starts_with('T') || flags[k] == "1");
+    if (const auto stated = periodic_sides(at->second)) cell.periodic = *stated;
+    else problems.add(line, "pbc says \"{}\", which is not understood; write three of T and F", at->second);
   }
   return cell;
 }
@@ -171,7 +188,7 @@ RawGrains read_xyz(const Reading& reading) {
   grains = grains_in(table, "Properties need pos:R:3 and radius:R:1", options, problems);
   grains.stated = cell;
   grains.material_name = std::move(names);
-  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit(options, "length", "m", "length-unit"));
   return grains;
 }
 
@@ -194,7 +211,9 @@ const SampleFormat samples::extxyz{
          {"step, time",
           "grains are of the last frame, or of the one that the contacts are of; told where this cannot be known"},
          {"cell (Lattice, Origin), pbc",
-          "taken, without pbc as periodic; refused where it is tilted in another way "
+          "taken, without pbc as periodic; refused where pbc is not three of T and F (or true, 1, yes and their like), "
+          "or "
+          "it is tilted in another way "
           "than along x with y, or smaller between its walls than the centres span; one of no size is left aside, "
           "told"},
          {"number of grains", "compared with the rows that follow"},

@@ -167,7 +167,8 @@ inline bool is_radius_of(double radius, double diameter) {
 }
 
 /// The note that a unit was assumed: of "length" m, unless the option `other` or the header of a column says otherwise.
-std::string assumed_unit(const char* what, const char* si, const char* other, const char* column = "");
+std::string assumed_unit(const SampleOptions& options, const char* what, const char* si, const char* other,
+                         const char* column = "");
 
 /// The rows of a table with columns x, y, radius (or diameter) and perhaps z, id, material and zone; without ids grains
 /// are numbered from 0. In space (`SampleOptions::dimension`) z is needed, too. `needed` goes on in the problem of a

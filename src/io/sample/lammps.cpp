@@ -125,7 +125,7 @@ RawGrains read_lammps_atoms(const Reading& reading) {
                                                                        {"z", columns.place[2]},
                                                                        {"radius", atoms.find({"radius"})},
                                                                        {"diameter", atoms.find({"diameter"})},
-                                                                       {"material", atoms.find({"type"})},
+                                                                       {"material", atoms.find({"type", "element"})},
                                                                        {"links", atoms.find({"links"})}};
   name_columns(atoms, std::vector<std::string_view>(atoms.columns.size()));
   for (const auto& [name, at] : wanted)
@@ -140,7 +140,7 @@ RawGrains read_lammps_atoms(const Reading& reading) {
   grains.units = dump.units;
   if (dump.cell) grains.stated = scaled_by(*dump.cell, options.length());
   if (columns.scaled && grains.stated) place_in_cell(grains.rows, *grains.stated);
-  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(dump.system, "length", "m", "length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(options, dump.system, "length", "m", "length-unit"));
   return grains;
 }
 
@@ -241,7 +241,7 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
     contacts.notes.push_back(
         "A dump of pairs has no contacts with walls: the stress of the sample and the balance of grains at its sides "
         "lack them.");
-  if (!options.force_unit) contacts.notes.push_back(assumed_unit_of(dump.system, "force", "N", "force-unit"));
+  if (!options.force_unit) contacts.notes.push_back(assumed_unit_of(options, dump.system, "force", "N", "force-unit"));
   return contacts;
 }
 
@@ -279,7 +279,7 @@ const SampleFormat samples::lammps{
           "the contact's unit normal, towards patom1 as its forces act, and where it is; without: along the centres, "
           "where the grains overlap"},
          {"pairs without a force", "contacts where they overlap, else left out and told"},
-         {"type", "the material"}},
+         {"type, without it element", "the material"}},
     .is_grains = is_dump,
     .is_contacts = is_dump,
     .grains = read_lammps_atoms,

@@ -114,7 +114,7 @@ RawGrains read_data(const Reading& reading) {
   grains = grains_in(table, "Atoms # sphere", options, problems);
   grains.units = units;
   if (box.has == std::array{true, true, true}) grains.stated = box.cell;
-  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(system, "length", "m", "length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(options, system, "length", "m", "length-unit"));
   return grains;
 }
 

@@ -132,11 +132,11 @@ std::optional<StatedUnits> unit_system(std::string_view name, const SampleOption
   return *known;
 }
 
-std::string assumed_unit_of(std::string_view system, const char* what, const char* si, const char* other) {
-  if (system != "lj") return assumed_unit(what, si, other);
-  return fmt::format(
-      "The file states reduced units (lj), which have no size: {} was taken for that of {}; {} changes this.", si, what,
-      option(other));
+std::string assumed_unit_of(const SampleOptions& options, std::string_view system, const char* what, const char* si,
+                            const char* other) {
+  if (system != "lj") return assumed_unit(options, what, si, other);
+  return fmt::format("The file states reduced units (lj), which have no size: {} was taken for that of {}{}", si, what,
+                     options.may_be_given ? fmt::format("; {} changes this.", option(other)) : ".");
 }
 
 std::string_view dump_units(std::string_view text) {

@@ -31,7 +31,8 @@ struct DumpSnapshot {
 std::optional<StatedUnits> unit_system(std::string_view name, const SampleOptions& options, Problems& problems);
 
 /// What is taken where a file names no system of units, or one whose units have no size.
-std::string assumed_unit_of(std::string_view system, const char* what, const char* si, const char* other);
+std::string assumed_unit_of(const SampleOptions& options, std::string_view system, const char* what, const char* si,
+                            const char* other);
 
 /// The name of the units that a dump states; empty without.
 std::string_view dump_units(std::string_view text);

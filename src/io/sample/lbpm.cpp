@@ -89,7 +89,7 @@ RawGrains read_lbpm(const Reading& reading) {
     grains.stated = cell;
     drop_images(cell, grains);
   } else problems.add(1, "does not state its domain (\"Domain Length (x,y,z): 1, 1, 1\")");
-  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
+  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit(reading.options, "length", "m", "length-unit"));
   return grains;
 }
 

@@ -117,7 +117,7 @@ RawGrains read_mercury_data(const Reading& reading) {
                  found);
   grains.rows = grains_in(table, "", reading.options, problems).rows;
   grains.stated = header.cell;
-  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
+  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit(reading.options, "length", "m", "length-unit"));
   return grains;
 }
 
@@ -192,7 +192,7 @@ RawContacts read_mercury_fstat(const Reading& reading, const RawGrains& grains) 
   each_force(
       reading.text, [&](std::optional<double>) { ++steps; }, add);
   if (steps == 0) problems.add("the file is empty; give a .fstat file with at least one time step");
-  if (!reading.options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "force-unit"));
+  if (!reading.options.force_unit) contacts.notes.push_back(assumed_unit(reading.options, "force", "N", "force-unit"));
   return contacts;
 }
 

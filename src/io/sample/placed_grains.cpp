@@ -7,9 +7,11 @@
 #include <map>
 #include <string>
 
+#include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "io/sample/formats.hpp"
 #include "io/sample/layout.hpp"
+#include "io/sample/snapshots.hpp"
 #include "io/table/text_file.hpp"
 
 namespace arenite::io {
@@ -35,11 +37,18 @@ bool lies_inside(Vec2 p, const Domain& domain) {
 
 }  // namespace
 
-Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain) {
+Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain,
+                          std::vector<std::string>& notes) {
   Problems problems(path.string());
+  if (const SampleFormat* other = known_sample_format(path))
+    throw InputError(path.string(), 0,
+                     fmt::format("is {}; a recipe takes grains from a table with the columns x, y, radius and material",
+                                 other->grains_are));
   const std::string text = read_text(path);
-  const SampleOptions options;
-  RawGrains raw = samples::csv.grains({text, 0, options, problems});
+  SampleOptions options;
+  options.may_be_given = false;
+  const auto taken = common_snapshot(samples::csv.grain_moments(text, ""), {}, false, notes, problems);
+  RawGrains raw = samples::csv.grains({text, taken.grains, options, problems});
   if (!problems.any() && !raw.rows.empty()) lay_out(raw, 2, problems);
   if (raw.plane.frame.axis != Frame<2>{}.axis)
     problems.add("the centres do not lie in the plane x-y; give x and y as those of the container");
@@ -62,6 +71,7 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
     grains.material[i] = material_of(row, materials, problems);
   }
   problems.raise();
+  notes.insert(notes.end(), raw.notes.begin(), raw.notes.end());
   return grains;
 }
 

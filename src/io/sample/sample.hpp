@@ -26,6 +26,7 @@ struct SampleOptions {
   std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
   bool y_down = false;         ///< y counts image rows, which point down: it is turned round, fn and ft kept
   bool merge_doubled = false;  ///< a contact listed twice is taken once, with the mean of its forces
+  bool may_be_given = true;    ///< whoever asks can give these, so that sentences may name them
 
   double length() const { return length_unit.value_or(1); }
   double force() const { return force_unit.value_or(1); }

@@ -157,8 +157,9 @@ std::vector<double> numbers_of_array(std::string_view text, const XmlTag& tag, c
 
 /// The columns of `grains_in` that arrays of points are, by names that programs give them.
 constexpr std::pair<std::string_view, std::string_view> array_names[] = {
-    {"radius", "radius"},     {"radii", "radius"},        {"diameter", "diameter"}, {"id", "id"},
-    {"material", "material"}, {"materialid", "material"}, {"matid", "material"},    {"type", "material"}};
+    {"radius", "radius"},  {"radii", "radius"},      {"diameter", "diameter"},
+    {"id", "id"},          {"material", "material"}, {"materialid", "material"},
+    {"matid", "material"}, {"type", "material"},     {"speciestype", "material"}};
 
 struct VtkArrays {
   std::size_t points = 0;
@@ -201,6 +202,8 @@ VtkArrays read_arrays(std::string_view text, Problems& problems) {
   return arrays;
 }
 
+constexpr std::string_view legacy = "# vtk DataFile";
+
 /// Of the whole file, as ParaView (TimeValue) and VisIt (TIME, CYCLE) write it.
 std::vector<Moment> vtk_moment(std::string_view text, const std::string&) {
   VtkStorage how;
@@ -227,6 +230,8 @@ std::vector<Moment> vtk_moment(std::string_view text, const std::string&) {
 RawGrains read_vtk_points(const Reading& reading) {
   RawGrains grains;
   Problems& problems = reading.problems;
+  if (reading.text.starts_with(legacy))
+    return problems.add("this is a legacy VTK file; write its points with their radii as VTK XML (.vtp, .vtu)"), grains;
   const VtkArrays arrays = read_arrays(reading.text, problems);
   const auto find = [&](std::string_view name) {
     const auto at = arrays.of.find(name);
@@ -248,7 +253,7 @@ RawGrains read_vtk_points(const Reading& reading) {
       problems.add("point {}: radius and diameter contradict each other; leave one of the arrays out", k);
     if (material) grain.material = std::to_string(static_cast<std::int64_t>(std::clamp((*material)[k], -9e15, 9e15)));
   }
-  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
+  if (!reading.options.length_unit) grains.notes.push_back(assumed_unit(reading.options, "length", "m", "length-unit"));
   return grains;
 }
 
@@ -270,7 +275,10 @@ const SampleFormat samples::vtk{
                 "passed over"},
                {"several pieces, big-endian numbers", "refused"},
                {"forces", "none are in the file"}},
-    .is_grains = [](std::string_view line) { return line.starts_with("<?xml") || line.starts_with("<VTKFile"); },
+    .is_grains =
+        [](std::string_view line) {
+          return line.starts_with("<?xml") || line.starts_with("<VTKFile") || line.starts_with(legacy);
+        },
     .grains = read_vtk_points,
     .grain_moments = vtk_moment};
 

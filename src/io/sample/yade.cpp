@@ -1,61 +1,24 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/mapped.hpp"
 #include "core/option.hpp"
 #include "core/text.hpp"
-#include "geometry/cell_grid.hpp"
-#include "geometry/close_pairs.hpp"
+#include "io/sample/centres.hpp"
 #include "io/sample/formats.hpp"
 
 namespace arenite::io {
 namespace {
 
-/// Finds the grain whose centre, or a periodic image of it, is a point, to the six digits that YADE writes.
-template <int D> class Centres {
- public:
-  Centres(const std::vector<RawGrain>& rows, const Laid<D>& laid)
-      : rows_(rows),
-        cell_(laid.cell),
-        largest_(rows.empty() ? 0 : std::ranges::max_element(rows, {}, &RawGrain::radius)->radius),
-        places_(mapped(rows, [&](const RawGrain& g) { return laid.cell.wrapped(laid.frame.of(g.place)); })),
-        grid_(geometry::around(std::span<const Vec<D>>(places_)), std::max(2 * largest_, 1e-9), most_cells),
-        cells_(grid_.size(), 0, places_.size(), [&](std::size_t k) { return grid_.cell(places_[k]); }) {}
-
-  /// Index of the grain, or -1.
-  std::int64_t find(Vec<D> p) const {
-    constexpr double slack = 1e-3;
-    double digits = 0;
-    for (int axis = 0; axis < D; ++axis) digits += 1e-5 * std::abs(p[axis]);
-    const Vec<D> base = cell_.wrapped(p);
-    std::int64_t found = -1;
-    cell_.each_near_cell([&](Cells<D> cells) {
-      const Vec<D> image = base + cell_.way(cells);
-      cells_.for_near(grid_, image, [&](std::int32_t g) {
-        const double reach = digits + slack * rows_[static_cast<std::size_t>(g)].radius;
-        if (found < 0 && norm(places_[static_cast<std::size_t>(g)] - image) <= reach) found = g;
-      });
-    });
-    return found;
-  }
-
- private:
-  static constexpr double most_cells = D == 2 ? 4096 : 64;  // along a side
-  const std::vector<RawGrain>& rows_;
-  const DomainIn<D>& cell_;
-  double largest_;
-  std::vector<Vec<D>> places_;
-  geometry::CellGrid<D> grid_;
-  geometry::SortedCells cells_;
-};
+constexpr std::string_view periodic_word = "##PERIODIC::";
 
 /// Reads the words of a legacy VTK file one after the other, knowing their lines.
 struct Words {
@@ -154,40 +117,79 @@ void add_interactions(const Interactions& from, const RawGrains& grains, const L
         fmt::format("{} of {} interactions belong to no grain in the list and are left out.", without_grain, count));
 }
 
+/// Places of columns, by their names in the #format line.
+struct SphereColumns {
+  std::array<std::size_t, 4> place{0, 1, 2, 3};  ///< of x, y, z, r
+  std::optional<std::size_t> id, material;
+  std::size_t count = 4;  ///< that a row must have
+};
+/// "id_x_y_z_r_matId"; what else stands there lies behind these (attrs). A name that is none of them may be a diameter.
+SphereColumns sphere_columns(std::string_view format, int line, Problems& problems) {
+  SphereColumns columns;
+  const auto names = split_cells(format, '_');
+  const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
+    const auto at = std::ranges::find(names, name);
+    return at == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - names.begin()));
+  };
+  constexpr std::string_view needed[] = {"x", "y", "z", "r"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto at = find(needed[k]);
+    if (!at) {
+      problems.add(line, "the #format line is {} and names no {}; export x_y_z_r, x_y_z_r_matId or id_x_y_z_r_matId",
+                   format, needed[k]);
+      return columns;
+    }
+    columns.place[k] = *at;
+  }
+  columns.id = find("id");
+  columns.material = find("matId");
+  columns.count = 1 + std::max({std::ranges::max(columns.place), columns.id.value_or(0), columns.material.value_or(0)});
+  return columns;
+}
+
+/// The cell that SpherePack.save states: "##PERIODIC:: 4 4 4".
+RawCell periodic_cell(const std::vector<std::string_view>& cells, double length, int line, Problems& problems) {
+  RawCell cell;
+  cell.periodic = {true, true, true};
+  if (cells.size() != 4) problems.add(line, "##PERIODIC:: has {} lengths instead of 3; correct it", cells.size() - 1);
+  else
+    for (std::size_t k = 0; k < 3; ++k)
+      cell.edge[k][static_cast<int>(k)] = number_or_problem(cells[k + 1], "##PERIODIC::", length, line, problems);
+  return cell;
+}
+
 RawGrains read_yade_spheres(const Reading& reading) {
   RawGrains grains;
   const SampleOptions& options = reading.options;
   Problems& problems = reading.problems;
   Lines lines(reading.text);
-  std::size_t id_columns = 0, material = 0;
-  for (std::string_view line; lines.next(line);) {
+  SphereColumns columns;
+  for (std::string_view line; lines.next(line) && !problems.any();) {
     const auto cells = split_blanks(line);
-    if (cells.empty()) continue;
-    if (cells.front() == "#format" && cells.size() > 1) {
-      id_columns = cells[1].starts_with("id_") ? 1 : 0;
-      material = cells[1].ends_with("_matId") ? id_columns + 4 : 0;
-      continue;
-    }
-    if (cells.front().starts_with('#')) continue;
     const int at = lines.number();
-    if (cells.size() < id_columns + 4 + (material > 0 ? 1 : 0)) {
-      problems.add(at, "expected at least {} values according to the #format line, found {}",
-                   id_columns + 4 + (material > 0 ? 1 : 0), cells.size());
+    if (cells.empty()) continue;
+    if (cells.front() == periodic_word) grains.stated = periodic_cell(cells, options.length(), at, problems);
+    if (cells.front() == "#format" && cells.size() > 1) columns = sphere_columns(cells[1], at, problems);
+    if (cells.front().starts_with('#')) continue;
+    if (cells.size() < columns.count) {
+      problems.add(at, "expected at least {} values according to the #format line, found {}", columns.count,
+                   cells.size());
       continue;
     }
+    const auto length = [&](std::size_t k) {
+      return number_or_problem(cells[columns.place[k]], k < 3 ? "coordinate" : "r", options.length(), at, problems);
+    };
     RawGrain g;
     g.line = at;
-    g.id =
-        id_columns ? integer_or_problem(cells[0], "id", at, problems) : static_cast<std::int64_t>(grains.rows.size());
-    for (int axis = 0; axis < 3; ++axis)
-      g.place[axis] = number_or_problem(cells[id_columns + static_cast<std::size_t>(axis)], "coordinate",
-                                        options.length(), at, problems);
-    g.radius = number_or_problem(cells[id_columns + 3], "r", options.length(), at, problems);
-    if (material > 0) g.material = cells[material];
+    g.id = columns.id ? integer_or_problem(cells[*columns.id], "id", at, problems)
+                      : static_cast<std::int64_t>(grains.rows.size());
+    g.place = {length(0), length(1), length(2)};
+    g.radius = length(3);
+    if (columns.material) g.material = cells[*columns.material];
     grains.rows.push_back(std::move(g));
   }
   if (grains.rows.empty() && !problems.any()) problems.add("the file has no spheres; write them with export.textExt");
-  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit(options, "length", "m", "length-unit"));
   return grains;
 }
 
@@ -222,7 +224,7 @@ RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grai
         "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
     return contacts;
   }
-  if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "force-unit"));
+  if (!options.force_unit) contacts.notes.push_back(assumed_unit(options, "force", "N", "force-unit"));
   grains.laid([&](const auto& laid) { add_interactions(found, grains, laid, contacts, problems); });
   return contacts;
 }
@@ -230,26 +232,31 @@ RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grai
 }  // namespace
 
 /// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs,
-/// id_x_y_z_r_matId), then one sphere a line. Without ids spheres are numbered from 0 in their order. Interactions
-/// written by VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce':
-/// 'i.phys.shearForce'}: both centres of every interaction and the force on the second body. The file has no ids, so
-/// ends are matched with the centres of the grains; an end that is no grain's centre is a wall.
+/// id_x_y_z_r_matId), then one sphere a line; or by SpherePack.save of a periodic pack. Without ids spheres are
+/// numbered from 0 in their order. Interactions written by VTKExporter.exportInteractions with what = {'normalForce':
+/// 'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'}: both centres of every interaction and the force on the
+/// second body. The file has no ids, so ends are matched with the centres of the grains; an end that is no grain's
+/// centre is a wall.
 const SampleFormat samples::yade{
     .name = "yade",
     .grains_are = "YADE export.textExt",
     .contacts_are = "YADE VTKExporter.exportInteractions of normalForce and shearForce",
-    .states = {{"units", "none are in the files: m and N, told, or those given by options"},
-               {"step, time",
-                "none are in the files; interactions that end at no grain's centre show another step and are refused"},
-               {"cell",
-                "none is in the files; --box and --periodic give it, and periodic sides without it are refused"},
-               {"third coordinate",
-                "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius "
-                "a layer, told; beyond: spheres"},
-               {"columns", "by the #format line; vectors of interactions by their names"},
-               {"interactions without a force", "contacts where they overlap, else left out and told"},
-               {"matId", "the material"}},
-    .is_grains = [](std::string_view line) { return line.starts_with("#format"); },
+    .states =
+        {{"units", "none are in the files: m and N, told, or those given by options"},
+         {"step, time",
+          "none are in the files; interactions that end at no grain's centre show another step and are refused"},
+         {"cell",
+          "that of SpherePack.save (##PERIODIC::) is taken; none is in other files: --box and --periodic give it, "
+          "and periodic sides without it are refused"},
+         {"third coordinate",
+          "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius "
+          "a layer, told; beyond: spheres"},
+         {"columns",
+          "by their names in the #format line, refused where x, y, z and r are not among them; without it x, y, "
+          "z, r; vectors of interactions by their names"},
+         {"interactions without a force", "contacts where they overlap, else left out and told"},
+         {"matId", "the material"}},
+    .is_grains = [](std::string_view line) { return line.starts_with("#format") || line.starts_with(periodic_word); },
     .is_contacts = [](std::string_view line) { return line.starts_with("# vtk DataFile"); },
     .grains = read_yade_spheres,
     .contacts = read_yade_interactions};

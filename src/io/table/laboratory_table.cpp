@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/unit_names.hpp"
+#include "io/table/comment_units.hpp"
 #include "io/table/table.hpp"
 #include "io/table/text_file.hpp"
 
@@ -52,6 +53,7 @@ std::vector<double> LaboratoryTable::values(std::size_t column, const Quantity& 
   Problems problems(file_);
   double factor = 1, offset = 0;
   std::string unit = unit_of(table_.columns[column], quantity);
+  if (unit.empty() && !(quantity.dimension == dimension::none)) unit = unit_of_comments(text_, "", quantity.dimension);
   if (unit.empty() && !(quantity.dimension == dimension::none)) {
     unit = quantity.assumed.empty() ? si_unit(quantity.dimension) : std::string(quantity.assumed);
     const std::string note =

@@ -6,6 +6,7 @@
 
 #include "core/option.hpp"
 #include "core/problems.hpp"
+#include "io/stated_units.hpp"
 #include "io/volume/header.hpp"
 #include "io/volume/volume.hpp"
 
@@ -29,6 +30,9 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice& choice) {
   };
   if (header.whole_numbers("ndims", 1)[0] != 3)
     refuse(file, "has {} dimensions; save a volume of three", header.word("ndims"));
+  if (header.has("binarydata") && !says("binarydata"))
+    refuse(file, "has its numbers as text (BinaryData = {}); save it with BinaryData = True",
+           header.word("binarydata"));
   if (header.has("elementnumberofchannels") && header.whole_numbers("elementnumberofchannels", 1)[0] != 1)
     refuse(file, "has {} channels; save one", header.word("elementnumberofchannels"));
   const auto type = meta_type(header.word("elementtype"));
@@ -39,8 +43,10 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice& choice) {
   const std::string sides = header.has("elementspacing") ? "elementspacing" : "elementsize";
   if (header.has(sides)) {
     const auto spacing = header.numbers(sides, 3);
-    take_side(facts, side_of({spacing[0], spacing[1], spacing[2]}, file), "mm", choice.dx_given);
-    if (!choice.dx_given)
+    const std::string stated = header.has("distanceunits") ? header.word("distanceunits") : "";
+    const bool is_known = in_metres(1, stated).has_value();
+    take_side(facts, side_of({spacing[0], spacing[1], spacing[2]}, file), is_known ? stated : "mm", choice.dx_given);
+    if (!choice.dx_given && !is_known)
       facts.remarks.push_back("its spacing is taken in mm, as ITK does; give " + option("dx") + " where it is not");
   }
   for (const char* key : {"transformmatrix", "rotation", "orientation"})
@@ -74,9 +80,11 @@ constinit const VolumeFormat volumes::meta_image{
     .sentence = "MetaImage (.mhd, .mha)",
     .states = {{"DimSize", "used: x fastest, z slowest"},
                {"ElementSpacing, without it ElementSize",
-                "used in mm, and told; refused where voxels are no cubes; told where --dx is given and differs"},
+                "used with the unit of DistanceUnits, without one in mm, and told; refused where voxels are no cubes; "
+                "told where --dx is given and differs"},
                {"ElementDataFile", "read beside the header; a file for each slice is refused"},
                {"CompressedData, byte order, HeaderSize", "used"},
+               {"BinaryData = False", "refused"},
                {"Offset (Origin, Position)",
                 "left aside, and told where it is not 0: places are counted from the corner of the first voxel"},
                {"TransformMatrix (Rotation, Orientation)", "left aside, and told where it turns or mirrors the axes"},

@@ -67,17 +67,20 @@ std::optional<Vec3> place_of(std::string text) {
   return numbers >> place.x >> place.y >> place.z ? std::optional(place) : std::nullopt;
 }
 
-/// The sides of a voxel by the unit of each axis, or by the one unit of all.
+/// The sides of a voxel by the unit of each axis, or by the one unit of all. Spacings have theirs in the field "units",
+/// directions in "space units"; either may stand for the other.
 void take_sides(VolumeFacts& facts, std::array<double, 3> side, const TextHeader& header, bool dx_given) {
+  const bool own = header.has("spacings") && header.has("units");
+  const std::string field = own || !header.has("space units") ? "units" : "space units";
   const std::vector<std::string> units =
-      header.has("space units") ? quoted_words(header.word("space units")) : std::vector<std::string>{""};
+      header.has(field) ? quoted_words(header.word(field)) : std::vector<std::string>{""};
   if (units.size() != 3 || (units[1] == units[0] && units[2] == units[0]))
     return take_side(facts, side_of(side, header.file), units.empty() ? "" : units[0], dx_given);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto metres = in_metres(side[axis], units[axis]);
     if (!metres)
-      refuse(header.file, "states space units {} of which \"{}\" is no length; state all in mm",
-             header.word("space units"), units[axis]);
+      refuse(header.file, "states {} {} of which \"{}\" is no length; state all in mm", field, header.word(field),
+             units[axis]);
     side[axis] = *metres;
   }
   facts.dx = side_of(side, header.file);
@@ -126,16 +129,17 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice& choice) {
 constinit const VolumeFormat volumes::nrrd{
     .name = "nrrd",
     .sentence = "NRRD",
-    .states = {{"sizes", "used: x fastest, z slowest"},
-               {"spacings, space directions",
-                "used with the unit of each axis (space units), refused where voxels are no cubes or their axes lean; "
-                "without a unit left aside, and told; told where --dx is given and differs"},
-               {"space directions that turn or mirror the axes", "left aside, and told"},
-               {"space origin",
-                "left aside, and told where it is not 0: places are counted from the corner of the first voxel"},
-               {"data file", "read beside the header, which then needs no empty line at its end"},
-               {"more numbers than sizes say", "left aside, and told"},
-               {"encoding", "raw and gzip are read, others refused"}},
+    .states =
+        {{"sizes", "used: x fastest, z slowest"},
+         {"spacings, space directions",
+          "used with the unit of each axis (units, space units), refused where voxels are no cubes or their axes lean; "
+          "without a unit left aside, and told; told where --dx is given and differs"},
+         {"space directions that turn or mirror the axes", "left aside, and told"},
+         {"space origin",
+          "left aside, and told where it is not 0: places are counted from the corner of the first voxel"},
+         {"data file", "read beside the header, which then needs no empty line at its end"},
+         {"more numbers than sizes say", "left aside, and told"},
+         {"encoding", "raw and gzip are read, others refused"}},
     .is = [](std::string_view head) { return head.starts_with("NRRD000"); },
     .open = open_nrrd};
 

@@ -34,6 +34,7 @@ bool is_sphere_table(const std::filesystem::path& path) {
 SpherePack read_spheres(const std::filesystem::path& path, std::vector<std::string>& notes) {
   SampleOptions options;
   options.dimension = 3;
+  options.may_be_given = false;
   auto sample = std::get<SampleIn<3>>(read_any_sample(path, {}, options));
   notes = std::move(sample.notes);
   const DomainIn<3>& cell = sample.packing.domain;

@@ -39,6 +39,7 @@ class Slices : public VolumeSource {
     take_side_of(voxel, dx_given);
   }
   const VolumeFacts& facts() const override { return facts_; }
+  void add_remark(std::string remark) { facts_.remarks.push_back(std::move(remark)); }
   void read(int z, std::span<std::int32_t> layer) override {
     film_->read(z, 1, block_);
     if (!block_.level.empty()) {
@@ -71,16 +72,17 @@ class Slices : public VolumeSource {
 };
 
 /// Slices of which one is missing are no volume: what lies above it would be too low.
-void refuse_missing(const std::vector<std::filesystem::path>& files, const std::string& name) {
+/// Returns by how much their numbers rise, 0 where they have none.
+std::int64_t refuse_missing(const std::vector<std::filesystem::path>& files, const std::string& name) {
   const std::vector<std::int64_t> number = numbers_in_names(files);
   std::int64_t step = 0;
   for (std::size_t i = 1; i < number.size(); ++i) step = std::gcd(step, number[i] - number[i - 1]);
-  if (step <= 0) return;
+  if (step <= 0) return 0;
   std::int64_t missing = 0;
   std::size_t first = 0;
   for (std::size_t i = number.size(); i-- > 1;)
     if (const std::int64_t there = (number[i] - number[i - 1]) / step; there > 1) missing += there - 1, first = i;
-  if (missing == 0) return;
+  if (missing == 0) return step;
   refuse(name,
          "lacks {} of its slices by the numbers of its files: the first, number {}, would follow {}; add what is "
          "missing, or number the files one by one if nothing is",
@@ -120,9 +122,13 @@ VolumePointer open_stack(const Bytes& bytes, const VolumeChoice& choice) {
 VolumePointer open_slices(const std::filesystem::path& path, const VolumeChoice& choice) {
   const auto files = files_of_series(path);
   refuse_other_picture(files.front());
-  refuse_missing(files, path.string());
-  return std::make_unique<Slices>(open_film(path, FilmChoice{.in_time = false}), path.string(), true,
-                                  voxel_of_cubes(open_bytes(files.front()), choice), choice.dx_given);
+  const std::int64_t step = refuse_missing(files, path.string());
+  auto slices = std::make_unique<Slices>(open_film(path, FilmChoice{.in_time = false}), path.string(), true,
+                                         voxel_of_cubes(open_bytes(files.front()), choice), choice.dx_given);
+  if (step > 1)
+    slices->add_remark(fmt::format(
+        "the numbers of its files rise by {}, and the slices are taken as neighbours, a voxel apart", step));
+  return slices;
 }
 
 constinit const VolumeFormat volumes::stack{
@@ -130,7 +136,8 @@ constinit const VolumeFormat volumes::stack{
     .sentence = "a stack of pictures (TIFF, HDF5, a folder of TIFF slices)",
     .states = {{"pictures",
                 "one upon the other: the first is z = 0, rows of a picture go along x, its columns along y"},
-               {"numbers in the names of slices", "their order; refused where one is missing, which is named"},
+               {"numbers in the names of slices",
+                "their order; refused where one is missing, which is named; told where they rise by more than 1"},
                {"size of a pixel (TIFF's resolution, unit of ImageJ, OME's PhysicalSize)",
                 "used together with the way from picture to picture, and told; alone told, not used: give --dx"},
                {"way from picture to picture (ImageJ's spacing, OME's PhysicalSizeZ)",

@@ -109,10 +109,9 @@ Drawings beverloo(const Tests& tests) {
   Drawing drawing;
   if (rate.values.size() >= fields::least_points_of_law) {
     const auto law = fields::fit_beverloo(found["opening"], rate.values, rate.error, exponent);
-    const double slope = std::pow(law.factor.value, root), lost = law.lost_width.value;
     const std::string name = fmt::format("W = a (D \u2212 w)^{{{}/2}}", halves);
-    panel.series.push_back(law_of(name, sampled(1e3 * lost, 1.05 * largest_in(panel.series[0].x),
-                                                [&](double d) { return slope * (1e-3 * d - lost); })));
+    panel.series.push_back(law_of(name, sampled(1e3 * law.lost_width.value, 1.05 * largest_in(panel.series[0].x),
+                                                [&](double d) { return std::pow(law.at(1e-3 * d), root); })));
     drawing.key = {{name, "weak", {in_unit("w/mm", law.lost_width, 1e-3)}}};
   } else {
     drawing.note = too_few("Beverloo\u2019s law", rate.values.size());
@@ -149,9 +148,7 @@ Drawings runout(const Tests& tests) {
   const auto add = [&](const std::optional<statistics::PowerLaw>& law, double from, double to, Line line) {
     if (!law) return;
     const std::string name = fmt::format("\u221d a^{{{:.2f}}}", law->exponent.value);
-    panel.series.push_back(law_of(
-        name, sampled(from, to, [&](double at) { return law->factor.value * std::pow(at, law->exponent.value); }),
-        line));
+    panel.series.push_back(law_of(name, sampled(from, to, [&](double at) { return law->at(at); }), line));
     drawing.key.push_back({name, "weak", {said("n", law->exponent)}, line});
   };
   add(laws.low, least_above_zero(a, largest_in(a)), low_ends, Line::solid);
@@ -180,11 +177,10 @@ Drawings janssen(const Tests& tests) {
   Drawing drawing;
   if (height.size() >= fields::least_points_of_law) {
     const auto law = fields::fit_janssen(found["height"], pressure.values, pressure.error, found["hydrostatic"]);
-    const double end = law.saturation.value / scale.factor, length = 1e3 * law.length.value;
-    panel.y.high = 2 * end;
+    panel.y.high = 2 * law.saturation.value / scale.factor;
     panel.series.push_back(
         law_of("Janssen", sampled(
-                              0, largest_in(height), [&](double h) { return -end * std::expm1(-h / length); }, 120)));
+                              0, largest_in(height), [&](double h) { return law.at(1e-3 * h) / scale.factor; }, 120)));
     drawing.key = {{"Janssen",
                     "weak",
                     {in_unit("p_{s}/" + scale.unit, law.saturation, scale.factor), in_unit("l/mm", law.length, 1e-3)}},

@@ -125,12 +125,16 @@ bool may_lack_frames(const SegmentSums& s) {
 
 void tell_failing_pixels(const SegmentSums& s, LockinMaps& maps) {
   const SegmentView view = s.view();
-  std::size_t failing = 0;
+  std::size_t failing = 0, empty = 0;
   for (std::size_t p = 0; p < s.pixels; ++p) {
     std::size_t there = 0;
     for (std::size_t k = 0; k < s.segments(); ++k) there += std::isfinite(s.sums[view.at(p, k, 0)]) ? 1 : 0;
     failing += there > 0 && there < s.segments() ? 1 : 0;
+    empty += there == 0 ? 1 : 0;
   }
+  if (empty > 0 && empty < s.pixels)
+    maps.disturbances.push_back(
+        fmt::format("{} of {} pixels are no numbers in any frame and show nothing", empty, s.pixels));
   if (failing > 0)
     maps.disturbances.push_back(fmt::format(
         "{} of {} pixels are no numbers in some of the frames and are left out, as dead ones", failing, s.pixels));

@@ -50,9 +50,9 @@ void refuse_overlapping(const std::string& file, const Grains& grains) {
   problems.raise();
 }
 
-PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place) {
+PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place, std::vector<std::string>& notes) {
   const auto file = recipe.beside(recipe.picture.grains);
-  const Grains read = io::read_placed_grains(file, materials_of(recipe), container_at(recipe, 0));
+  const Grains read = io::read_placed_grains(file, materials_of(recipe), container_at(recipe, 0), notes);
   if (read.size() == 0) refuse(file.string(), "lists no grains; give one row per grain");
   refuse_overlapping(file.string(), read);
   PictureGrains grains;
@@ -108,7 +108,7 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmPlace& 
 PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film,
                                const std::vector<float>& frame, const LockinMaps& maps,
                                std::vector<std::string>& notes) {
-  if (!recipe.picture.grains.empty()) return read_list(recipe, place);
+  if (!recipe.picture.grains.empty()) return read_list(recipe, place, notes);
   const bool optical = !recipe.picture.optical.empty();
   PictureGrains grains = optical ? optical_grains(recipe, place, {film.width, film.height, frame}, maps, notes)
                                  : film_grains(recipe, place, film, frame);

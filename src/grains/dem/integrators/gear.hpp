@@ -66,11 +66,9 @@ template <int W, int D> struct Step<IntegratorKind::gear5, W, D> {
                                                              m.acceleration[axis], zero, cell.growth());
     });
     for (int way = 0; way < turnings<D>; ++way) {
-      V alpha;
-      if constexpr (D == 2) alpha = m.alpha;
-      else alpha = m.alpha[way];
       double* const angle = t.angle[way] + k;
-      correct_and_predict(t, k, D + way, t.omega[way], t.alpha[way], alpha, V::load(angle), 0).store(angle);
+      correct_and_predict(t, k, D + way, t.omega[way], t.alpha[way], about(m.alpha, way), V::load(angle), 0)
+          .store(angle);
     }
     return put(t, k, m, place, load_columns<W>(t.velocity, k), load_columns<W>(t.omega, k));
   }

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
+#include "geometry/rotation.hpp"
 #include "grains/dem/parameters.hpp"
 
 namespace arenite::dem {
@@ -19,12 +21,6 @@ template <int D> struct alignas(D == 2 ? 64 : 32) GrainRecord {
 };
 using DiskRecord = GrainRecord<2>;
 static_assert(sizeof(DiskRecord) == 64 && sizeof(GrainRecord<3>) == 96);
-/// What of a turning about a contact of this normal slides: grains that turn about the normal itself twist, which
-/// spheres of space alone can do.
-template <class V> inline V without_twist(V turning, const Vec<2, V>& /*normal*/) { return turning; }
-template <class V> inline Vec<3, V> without_twist(const Vec<3, V>& turning, const Vec<3, V>& normal) {
-  return turning - dot(turning, normal) * normal;
-}
 
 /// What a spring remembers goes along with a contact that turns, and with the mean twist of its grains, which turn at
 /// `spin` together, in a time: in the plane it is a number, in space it is laid into the contact's plane and turned
@@ -106,24 +102,48 @@ template <int D> struct PairTask {
   bool fetches;      ///< records ahead of their turn
 };
 
-/// What is known of a bond that holds, or where the arrays of these numbers are, which the loop over the bonds reads.
-template <class Number> struct BondRow : BeamArms<Number> {
+/// What the loop over the pairs' rolling resistance reads and fills; the arrays are those of ContactList, its forces
+/// those of the pair loop.
+template <int D> struct RollingTask {
+  const GrainRecord<D>* record;
+  const std::int32_t *i, *j;
+  const double *stiffness, *damping;
+  std::array<double*, turnings<D>> memory;
+  double* twist_memory;  ///< null where twisting is not resisted
+  SlotForce<D>* force;
+  double lead, lag;  ///< s, of the memory (Slip)
+};
+
+/// What is known of a bond of disks that holds; of eight of them side by side, it is what the loop over the bonds
+/// reads.
+template <class Number> struct FlatRow : BeamArms<Number> {
   Vec<2, Number> normal{};      ///< from j to i when the list was built
   Number angle_i{}, angle_j{};  ///< that the grains have where it is not bent and has this normal, rad
   BeamOf<Number> beam{};
   Number strength{};  ///< over that of the law; once it has ended none that it could hold with
   BeamDashpots<Number> dashpots{};
-  Vec<2, Number> image{}, image_velocity{};  ///< of j beside j itself, m and m/s; only of the arrays
+  Vec<2, Number> image{}, image_velocity{};  ///< of j beside j itself, m and m/s; only side by side
 };
-inline constexpr std::size_t bond_columns = sizeof(BondRow<double>) / sizeof(double);
+/// The same of a bond of spheres.
+template <class Number> struct RoundRow : RoundArms<Number> {
+  Vec<3, Number> along_i{}, along_j{};  ///< the line from j to i as it was made, by the axes that turn with each
+  Number rest_cosine{};                 ///< how i was turned against j then, by these axes
+  Vec<3, Number> rest_sine{};
+  RoundBeamOf<Number> beam{};
+  Number strength{};
+  RoundDashpotsOf<Number> dashpots{};
+  Vec<3, Number> image{}, image_velocity{};
+};
+template <int D, class Number> using BondRow = std::conditional_t<D == 2, FlatRow<Number>, RoundRow<Number>>;
+using Eight = std::array<double, 8>;
 
 /// What the loop over the bonds reads and fills; the arrays are those of BondNumbers.
-struct BondTask {
-  const DiskRecord* record;
-  const double* angle;
+template <int D> struct BondTask {
+  const GrainRecord<D>* record;
+  const std::conditional_t<D == 2, double, geometry::Rotation>* attitude;  ///< angles by disk; rotations by `grain`
   const std::int32_t *i, *j;
-  BondRow<const double*> column;
-  SlotForce<2>* force;
+  const BondRow<D, Eight>* row;
+  SlotForce<D>* force;
   std::uint8_t*
       look;  ///< where a bond may break, or has turned far since the list was built: then it is not for the loop to say
   bool damped;
@@ -179,7 +199,8 @@ template <int D, class V> inline Vec<D, V> way_since_listed(const SweepTask<D>& 
 inline constexpr std::size_t adhesions = std::variant_size_v<Adhesion::variant>,
                              friction_laws = std::variant_size_v<FrictionLaw::variant>,
                              law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws,
-                             bond_laws = std::variant_size_v<BondLaw::variant>;
+                             bond_laws = std::variant_size_v<BondLaw::variant>,
+                             rolling_laws = std::variant_size_v<RollingLaw::variant>;
 inline std::size_t loop_index(const ContactLaws& laws) {
   return (laws.normal.index() * adhesions + laws.adhesion.index()) * friction_laws + laws.friction.index();
 }
@@ -195,10 +216,13 @@ template <int D> struct KernelIn {
   /// stale.
   using Sweep = bool (*)(const SweepTask<D>&, std::size_t begin, std::size_t end);
   std::array<Sweep, integrator_count> sweeps;
-  /// Forces of bonds begin .. end-1; one loop for every bond law, whose beams lie in the plane. True if some need a
-  /// closer look.
-  using BondLoop = bool (*)(const BondTask&, const BondLaw&, std::size_t begin, std::size_t end);
-  std::array<BondLoop, D == 2 ? bond_laws : 0> bond_loops;
+  /// Forces of bonds begin .. end-1; one loop for every bond law. True if some need a closer look.
+  using BondLoop = bool (*)(const BondTask<D>&, const BondLaw&, std::size_t begin, std::size_t end);
+  std::array<BondLoop, bond_laws> bond_loops;
+  /// Moments of slots begin .. end-1, all of two disks, by the forces that the pair loop has left; one loop for every
+  /// law of rolling.
+  using RollingLoop = void (*)(const RollingTask<D>&, const RollingLaw&, std::size_t begin, std::size_t end);
+  std::array<RollingLoop, rolling_laws> rolling_loops;
 };
 using Kernel = KernelIn<2>;
 

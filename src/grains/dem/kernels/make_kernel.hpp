@@ -2,6 +2,7 @@
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/kernels/bond_loop.hpp"
 #include "grains/dem/kernels/pair_loop.hpp"
+#include "grains/dem/kernels/rolling_loop.hpp"
 
 namespace arenite::dem {
 
@@ -9,7 +10,8 @@ namespace arenite::dem {
 template <int W, int D = 2> constexpr KernelIn<D> make_kernel(const char* name) {
   return {name, pair_loops<W, D>(std::make_index_sequence<law_triples>{}),
           sweeps<W, D>(std::make_index_sequence<integrator_count>{}),
-          bond_loops<W>(std::make_index_sequence<std::tuple_size_v<decltype(KernelIn<D>::bond_loops)>>{})};
+          bond_loops<W, D>(std::make_index_sequence<bond_laws>{}),
+          rolling_loops<W, D>(std::make_index_sequence<rolling_laws>{})};
 }
 
 }  // namespace arenite::dem

@@ -6,27 +6,9 @@
 
 #include "grains/dem/kernels/kernel.hpp"
 #include "grains/dem/kernels/pack.hpp"
+#include "grains/dem/kernels/slots.hpp"
 
 namespace arenite::dem {
-
-/// What the pair loop needs of W disks or spheres.
-template <int W, int D> struct GrainPack {
-  Vec<D, Pack<W>> place, velocity;
-  Turning<D, Pack<W>> omega;
-  Pack<W> radius;
-
-  ARENITE_INLINE GrainPack(const GrainRecord<D>* record, const std::int32_t* index) {
-    const auto place_of = [=](int k) { return &record[index[k]].place.x; };
-    if constexpr (D == 2) {
-      gather<W>(place_of, place.x, place.y, velocity.x, velocity.y);
-      gather<W>([=](int k) { return &record[index[k]].omega; }, omega, radius);
-    } else {
-      gather<W>(place_of, place.x, place.y, place.z, velocity.x);
-      gather<W>([=](int k) { return &record[index[k]].velocity.y; }, velocity.y, velocity.z, omega.x, omega.y);
-      gather<W>([=](int k) { return &record[index[k]].omega.z; }, omega.z, radius);
-    }
-  }
-};
 
 /// How W pairs lie and move. What is tangential is counted as the turning about the contact that it makes, n x u of the
 /// relative velocity u and n x f of the force f: a number in the plane, along t; in space a vector normal to n, as long
@@ -90,16 +72,7 @@ ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, 
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
   if constexpr (F::remembers)
     store_columns(select(touching_now, turned_along(memory.slip, pair.normal, spin, shared.lag), T{}), t.memory, p);
-  const auto slot = [=](int k) { return t.force + p + k; };
-  const Vec<D, V> on_i = pair.force(fn, ft);
-  const T torque_i = pair.torque(pair.arm_i, ft), torque_j = pair.torque(pair.arm_j, ft);
-  if constexpr (D == 2) {
-    scatter<W>([=](int k) { return &slot(k)->on_i.x; }, on_i.x, on_i.y, torque_i, torque_j);
-  } else {
-    scatter<W>([=](int k) { return &slot(k)->on_i.x; }, on_i.x, on_i.y, on_i.z, torque_i.x);
-    scatter<W>([=](int k) { return &slot(k)->torque_i.y; }, torque_i.y, torque_i.z, torque_j.x, torque_j.y);
-    for (int k = 0; k < W; ++k) slot(k)->torque_j.z = torque_j.z.v[k];
-  }
+  write_slots<W>(t.force + p, pair.force(fn, ft), pair.torque(pair.arm_i, ft), pair.torque(pair.arm_j, ft));
 }
 
 /// The records of the second grains of W slots from p on.

@@ -114,6 +114,7 @@ concept BeamLaw = ContactLaw<L> &&
   { law.load(beam, force) } -> std::same_as<BeamLoad>;
   { law.round_beam(v, v) } -> std::same_as<RoundBeam>;  // the same between spheres: (length, smaller radius)
   { law.elastic(round, turned) } -> std::same_as<RoundForce>;
+  { law.holds(round, in_space, v) } -> std::convertible_to<bool>;
   { law.energy(round, turned) } -> std::same_as<double>;
   { law.load(round, in_space) } -> std::same_as<BeamLoad>;
 };

@@ -17,10 +17,10 @@ struct NoBonds : NoLaw {
   Beam beam(double /*length*/, double /*radius*/, double /*thickness*/) const { return {}; }
   RoundBeam round_beam(double /*length*/, double /*radius*/) const { return {}; }
   template <class V> BeamForce<V> elastic(const BeamOf<V>&, const BeamStrain<V>&) const { return {}; }
-  RoundForce elastic(const RoundBeam&, const RoundStrain&) const { return {}; }
+  template <class V> RoundForceOf<V> elastic(const RoundBeamOf<V>&, const RoundStrainOf<V>&) const { return {}; }
   double energy(const Beam&, const BeamStrain<double>&) const { return 0; }
   double energy(const RoundBeam&, const RoundStrain&) const { return 0; }
-  template <class V> auto holds(const BeamOf<V>&, const BeamForce<V>&, V strength) const {
+  template <class B, class F, class V> auto holds(const B& /*beam*/, const F& /*force*/, V strength) const {
     return strength <= strength;
   }
   BeamLoad load(const Beam&, const BeamForce<double>&) const { return {}; }
@@ -79,7 +79,7 @@ struct ParallelBond {
   template <class V> BeamForce<V> elastic(const BeamOf<V>& beam, const BeamStrain<V>& strain) const {
     return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending};
   }
-  RoundForce elastic(const RoundBeam& beam, const RoundStrain& strain) const {
+  template <class V> RoundForceOf<V> elastic(const RoundBeamOf<V>& beam, const RoundStrainOf<V>& strain) const {
     return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending,
             beam.twist * strain.twist};
   }
@@ -88,7 +88,7 @@ struct ParallelBond {
                   beam.bending * s.bending * s.bending);
   }
   double energy(const RoundBeam& beam, const RoundStrain& s) const { return 0.5 * power_of(elastic(beam, s), s); }
-  template <class V> auto holds(const BeamOf<V>& beam, const BeamForce<V>& force, V strength) const {
+  template <class B, class F, class V> auto holds(const B& beam, const F& force, V strength) const {
     const Stresses<V> is = stresses(beam, force);
     const auto in_tension = is.mean + is.bent <= strength * V(tensile_strength),
                in_shear = is.across <= strength * shear_strength(beam, is);
@@ -98,9 +98,9 @@ struct ParallelBond {
     return load(beam, stresses(beam, force), BondBreak::shear);
   }
   BeamLoad load(const RoundBeam& beam, const RoundForce& force) const {
-    const double sheared = norm(force.shear) * beam.per_area, twisted = std::abs(force.twist) * beam.per_twist;
-    const Stresses<double> is{force.tension * beam.per_area, norm(force.moment) * beam.per_section, sheared + twisted};
-    return load(beam, is, sheared > twisted ? BondBreak::shear : BondBreak::twisting);
+    const double twisted = std::abs(force.twist) * beam.per_twist;
+    const Stresses<double> is = stresses(beam, force);
+    return load(beam, is, is.across > 2 * twisted ? BondBreak::shear : BondBreak::twisting);
   }
 
  private:
@@ -115,6 +115,11 @@ struct ParallelBond {
   template <class V> static Stresses<V> stresses(const BeamOf<V>& beam, const BeamForce<V>& force) {
     using lane::abs;
     return {force.tension * beam.per_area, abs(force.moment) * beam.per_section, abs(force.shear) * beam.per_area};
+  }
+  template <class V> static Stresses<V> stresses(const RoundBeamOf<V>& beam, const RoundForceOf<V>& force) {
+    using lane::abs;
+    return {force.tension * beam.per_area, norm(force.moment) * beam.per_section,
+            norm(force.shear) * beam.per_area + abs(force.twist) * beam.per_twist};
   }
   template <class V> V shear_strength(const BeamOf<V>& beam, const Stresses<V>& is) const {
     using lane::max;

@@ -16,6 +16,9 @@ inline double sqrt(double a) { return std::sqrt(a); }
 inline double abs(double a) { return std::abs(a); }
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 inline double dot(double a, double b) { return a * b; }
+template <int D, class C, class V> Vec<D, V> select(const C& condition, Vec<D, V> yes, Vec<D, V> no) {
+  return by_axis<D>([&](int axis) { return select(condition, yes[axis], no[axis]); });
+}
 
 /// a held within [-bound, bound], bound >= 0.
 template <class V> V within(V a, V bound) { return max(min(a, bound), V(0.0) - bound); }
@@ -24,6 +27,13 @@ template <int D, class V> Vec<D, V> within(Vec<D, V> a, V bound) {
   return select(size > bound, bound / size, V(1.0)) * a;
 }
 }  // namespace lane
+
+/// What of a turning about a contact of this normal slides: grains that turn about the normal itself twist, which
+/// spheres of space alone can do.
+template <class V> inline V without_twist(V turning, const Vec<2, V>& /*normal*/) { return turning; }
+template <class V> inline Vec<3, V> without_twist(const Vec<3, V>& turning, const Vec<3, V>& normal) {
+  return turning - dot(turning, normal) * normal;
+}
 
 /// A law without parameters of its own. One that has some declares and compares them.
 struct WithoutParameters {

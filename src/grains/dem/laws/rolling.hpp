@@ -1,5 +1,4 @@
 #pragma once
-#include <cmath>
 #include <optional>
 
 #include "grains/dem/laws/cundall_strack.hpp"
@@ -19,9 +18,9 @@ struct NoRolling : NoLaw {
 
   double coefficient = 0;
   std::optional<double> twisting = {};
-  double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
-  double damping(double /*normal*/, double /*radius*/, double /*stiffness*/, double /*inertia*/) const { return 0; }
-  template <class T> T moment(const Slip<double, T>& /*turning*/, T& /*memory*/) const { return {}; }
+  template <class V> V stiffness(V /*normal*/, V /*radius*/) const { return V(0.0); }
+  template <class V> V damping(V /*normal*/, V /*radius*/, V /*stiffness*/, V /*inertia*/) const { return V(0.0); }
+  template <class V, class T> T moment(const Slip<V, T>& /*turning*/, T& /*memory*/) const { return {}; }
   template <class T> double energy(const Slip<double, T>& /*turning*/, T /*memory*/) const { return 0; }
 };
 
@@ -52,11 +51,11 @@ struct ConstantTorque {
 
   double coefficient = 0.1;
   std::optional<double> twisting = {};
-  double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
-  double damping(double normal, double radius, double /*stiffness*/, double /*inertia*/) const {
+  template <class V> V stiffness(V /*normal*/, V /*radius*/) const { return V(0.0); }
+  template <class V> V damping(V normal, V radius, V /*stiffness*/, V /*inertia*/) const {
     return normal * radius * radius;
   }
-  template <class T> T moment(const Slip<double, T>& turning, T& memory) const {
+  template <class V, class T> T moment(const Slip<V, T>& turning, T& memory) const {
     return RegularisedCoulomb{}.tangential(turning, memory);
   }
   template <class T> double energy(const Slip<double, T>& /*turning*/, T /*memory*/) const { return 0; }
@@ -77,14 +76,20 @@ struct ElasticPlasticRolling {
 
   double coefficient = 0.1, damping_share = 0.3;
   std::optional<double> twisting = {};
-  double stiffness(double normal, double radius) const {
-    return 2.25 * normal * coefficient * coefficient * radius * radius;
+  template <class V> V stiffness(V normal, V radius) const {
+    return V(2.25) * normal * V(coefficient) * V(coefficient) * radius * radius;
   }
-  double damping(double /*normal*/, double /*radius*/, double stiffness, double inertia) const {
-    return 2 * damping_share * std::sqrt(inertia * stiffness);
+  template <class V> V damping(V /*normal*/, V /*radius*/, V stiffness, V inertia) const {
+    using lane::sqrt;
+    return V(2 * damping_share) * sqrt(inertia * stiffness);
   }
-  template <class T> T moment(const Slip<double, T>& turning, T& memory) const {
-    return turning.stiffness > 0 ? CundallStrack{}.tangential(turning, memory) : T{};
+  template <class V, class T> T moment(const Slip<V, T>& turning, T& memory) const {
+    using lane::select;
+    const auto springs = turning.stiffness > V(0.0);
+    T moved = memory;
+    const T moment = CundallStrack{}.tangential(turning, moved);
+    memory = select(springs, moved, memory);
+    return select(springs, moment, T{});
   }
   template <class T> double energy(const Slip<double, T>& turning, T memory) const {
     return CundallStrack{}.energy(turning, memory);

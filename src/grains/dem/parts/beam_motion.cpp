@@ -15,17 +15,6 @@ template <int D> BeamMotionIn<D> motion_between(const SampleIn<D>& s, const Bond
   return m;
 }
 
-/// How the twist about the normal grows as i turns, as j turns the other way, and as the normal does.
-struct TwistSlopes {
-  Vec3 by_i, by_j, by_normal;
-};
-TwistSlopes twist_slopes(const BeamMotionIn<3>& m) {
-  const Vec3 v = m.between.sine;
-  const double w = m.between.cosine, p = dot(v, m.normal), square = w * w + p * p;
-  const Vec3 middle = w * w * m.normal + p * v, aside = w * cross(v, m.normal);
-  return {(middle + aside) / square, (middle - aside) / square, 2 * w / square * v};
-}
-
 }  // namespace
 
 BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
@@ -39,14 +28,13 @@ BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
 BeamMotionIn<3> beam_motion(const SampleIn<3>& s, const BondSlotIn<3>& b) {
   BeamMotionIn<3> m = motion_between(s, b);
   const auto& now = the<BondsIn<3>>(s).attitudes.now;
-  const geometry::Rotation turn_i = now[s.record[b.i].grain] * b.back_i, turn_j = now[s.record[b.j].grain] * b.back_j;
-  m.along_i = turned(turn_i, b.normal);
-  m.along_j = turned(turn_j, b.normal);
-  m.between = turn_i * inverse(turn_j);
+  const geometry::Rotation &of_i = now[s.record[b.i].grain], &of_j = now[s.record[b.j].grain];
+  m.along_i = turned(of_i, b.along_i);
+  m.along_j = turned(of_j, b.along_j);
+  m.between = of_i * geometry::Rotation{b.rest_cosine, b.rest_sine} * inverse(of_j);
   if (m.between.cosine < 0) m.between = {-m.between.cosine, -m.between.sine};
-  const Vec3 bent_i = cross(m.normal, m.along_i), bent_j = cross(m.normal, m.along_j);
-  m.strain = {m.distance - b.length, b.arm_i * bent_i + b.arm_j * bent_j, bent_i - bent_j,
-              2 * std::atan2(dot(m.between.sine, m.normal), m.between.cosine)};
+  const double twist = 2 * std::atan2(dot(m.between.sine, m.normal), m.between.cosine);
+  m.strain = b.strain(m.distance, m.normal, m, twist);
   return m;
 }
 
@@ -56,12 +44,8 @@ SlotForce<2> beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamF
 }
 
 SlotForce<3> beam_slot_force(const BondSlotIn<3>& b, const BeamMotionIn<3>& m, const RoundForce& f) {
-  const Vec3 on_bent_i = b.arm_i * f.shear + f.moment, on_bent_j = b.arm_j * f.shear - f.moment;
-  const TwistSlopes twist = twist_slopes(m);
-  const Vec3 by_normal = cross(m.along_i, on_bent_i) + cross(m.along_j, on_bent_j) + f.twist * twist.by_normal;
-  return {-f.tension * m.normal - without_twist(by_normal, m.normal) / m.distance,
-          -cross(m.along_i, cross(on_bent_i, m.normal)) - f.twist * twist.by_i,
-          -cross(m.along_j, cross(on_bent_j, m.normal)) + f.twist * twist.by_j};
+  const auto [on_i, torque_i, torque_j] = b.pull(f, m.normal, 1 / m.distance, m);
+  return {on_i, torque_i, torque_j};
 }
 
 BeamStrain<double> strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i,
@@ -71,9 +55,7 @@ BeamStrain<double> strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velo
 
 RoundStrain strain_rate(const BondSlotIn<3>& b, const BeamMotionIn<3>& m, Vec3 velocity, Vec3 turning_i,
                         Vec3 turning_j) {
-  const Vec3 line = cross(m.normal, velocity) / m.distance, against = turning_i - turning_j;
-  return {dot(velocity, m.normal), without_twist(b.arm_i * turning_i + b.arm_j * turning_j - b.length * line, m.normal),
-          without_twist(against, m.normal), dot(against, m.normal)};
+  return b.rate(m.normal, 1 / m.distance, velocity, turning_i, turning_j);
 }
 
 template <int D> BeamForceIn<D> beam_dashpots(const SampleIn<D>& s, const BondSlotIn<D>& b, const BeamMotionIn<D>& m) {

@@ -5,10 +5,7 @@ namespace arenite::dem {
 
 /// The grains at the ends of a bond of spheres.
 template <int D> struct BeamEnds {};
-template <> struct BeamEnds<3> {
-  Vec3 along_i, along_j;       ///< where the line from j to i, as it was made, has turned with each
-  geometry::Rotation between;  ///< of i past j
-};
+template <> struct BeamEnds<3> : RoundEnds<double> {};
 
 /// Where a bond's grains are now, and how it is strained.
 template <int D> struct BeamMotionIn : BeamEnds<D> {
@@ -18,7 +15,6 @@ template <int D> struct BeamMotionIn : BeamEnds<D> {
 };
 using BeamMotion = BeamMotionIn<2>;
 BeamMotion beam_motion(const Sample& sample, const BondSlot& slot);
-/// In space bending is counted by the sines of its angles, in the plane by these themselves.
 BeamMotionIn<3> beam_motion(const SampleIn<3>& sample, const BondSlotIn<3>& slot);
 
 /// A bond's force on i and its torques, from what the beam answers with; in space the gradient of its energy.

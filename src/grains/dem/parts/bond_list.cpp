@@ -86,9 +86,12 @@ void put_rest(const Sample& s, const Bond& bond, BondSlot& b) {
   b.angle_j = unstrained(bond.angle_j + turned, s.angle[b.j]);
 }
 void put_rest(const SampleIn<3>& /*sample*/, const BondIn<3>& bond, BondSlotIn<3>& b) {
-  b.normal = bond.normal;
-  b.back_i = geometry::rotation_by(-bond.angle_i);
-  b.back_j = geometry::rotation_by(-bond.angle_j);
+  const geometry::Rotation back_i = geometry::rotation_by(-bond.angle_i), back_j = geometry::rotation_by(-bond.angle_j);
+  b.along_i = turned(back_i, bond.normal);
+  b.along_j = turned(back_j, bond.normal);
+  const geometry::Rotation rest = back_i * inverse(back_j);
+  b.rest_cosine = rest.cosine;
+  b.rest_sine = rest.sine;
 }
 
 template <class Law> Beam beam_of(const Law& law, double length, double radius, const Domain& domain) {
@@ -97,9 +100,6 @@ template <class Law> Beam beam_of(const Law& law, double length, double radius, 
 template <class Law> RoundBeam beam_of(const Law& law, double length, double radius, const DomainIn<3>& /*domain*/) {
   return law.round_beam(length, radius);
 }
-
-void take_from_loop(BondNumbers& numbers, std::size_t slot) { numbers.columns().strength[slot] = never_holds; }
-void take_from_loop(NoNumbers& /*numbers*/, std::size_t /*slot*/) {}
 
 }  // namespace
 
@@ -124,17 +124,20 @@ BondSlotIn<D> slot_of(const SampleIn<D>& s, std::size_t place, const std::vector
   return b;
 }
 
-BondNumbers lined_up(const std::vector<BondSlot>& slots) {
-  BondNumbers numbers;
+template <int D> BondNumbers<D> lined_up(const std::vector<BondSlotIn<D>>& slots) {
+  BondNumbers<D> numbers;
+  constexpr std::size_t columns = sizeof(BondRow<D, double>) / sizeof(double);
   numbers.look.resize(slots.size());
+  numbers.row.resize((slots.size() + 7) / 8);
   for (std::size_t n = 0; n < slots.size(); ++n) {
-    const BondSlot& b = slots[n];
+    const BondSlotIn<D>& b = slots[n];
     numbers.i.push_back(b.i);
     numbers.j.push_back(b.j);
-    if (b.shift.x != 0 || b.shift.y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
+    if (b.shift != Cells<D>{}) numbers.across.push_back(static_cast<std::int32_t>(n));
     numbers.damped |= b.dashpots.normal > 0;
-    const auto values = std::bit_cast<std::array<double, bond_columns>>(static_cast<const BondRow<double>&>(b));
-    for (std::size_t q = 0; q < bond_columns; ++q) numbers.column.along[q].push_back(values[q]);
+    const auto one = std::bit_cast<std::array<double, columns>>(static_cast<const BondRow<D, double>&>(b));
+    auto* const eight = reinterpret_cast<Eight*>(&numbers.row[n / 8]);
+    for (std::size_t q = 0; q < columns; ++q) eight[q][n % 8] = one[q];
   }
   return numbers;
 }
@@ -163,7 +166,7 @@ template <int D> void end_bond(SampleIn<D>& s, std::size_t slot) {
   auto& bonds = the<BondsIn<D>>(s);
   bonds.slots[slot].state = BondState::broken;
   bonds.slots[slot].strength = never_holds;
-  take_from_loop(bonds.numbers, slot);
+  bonds.numbers.row[slot / 8].strength[slot % 8] = never_holds;
 }
 
 template <int D> void renew_bond_dashpots(SampleIn<D>& s) {
@@ -203,6 +206,7 @@ template <int D> double shortest_bond_time(const SampleIn<D>& s) {
 
 #define ARENITE_OF(D)                                                                                \
   template BondSlotIn<D> slot_of(const SampleIn<D>&, std::size_t, const std::vector<std::int32_t>&); \
+  template BondNumbers<D> lined_up(const std::vector<BondSlotIn<D>>&);                               \
   template void end_bond(SampleIn<D>&, std::size_t);                                                 \
   template void renew_bond_dashpots(SampleIn<D>&);                                                   \
   template void bond_near_pairs(SampleIn<D>&);                                                       \

@@ -1,32 +1,18 @@
 #pragma once
 #include <bit>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
-#include "geometry/rotation.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/contact_list.hpp"
 
 namespace arenite::dem {
 
-/// What is known of a bond in space that holds, beside the numbers of BondRow: where its grains stood. There are no
-/// columns of these.
-struct RoundRow {
-  double length = 0, arm_i = 0, arm_j = 0;  ///< m
-  Vec3 normal;                              ///< from j to i as it was made
-  geometry::Rotation back_i, back_j;        ///< the grains' attitudes then, inverted
-  RoundBeam beam;
-  double strength = 0;
-  RoundDashpots dashpots;
-};
-template <int D> using BondRowIn = std::conditional_t<D == 2, BondRow<double>, RoundRow>;
-
 enum class BondState : std::int32_t { holds, breaking, broken };
 
 /// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands
 /// behind those of the contacts, in ContactList::force at Bonds::place.
-template <int D> struct BondSlotIn : BondRowIn<D> {
+template <int D> struct BondSlotIn : BondRow<D, double> {
   using State = BondState;
   std::int32_t bond = 0;      ///< place in Bonds::all
   std::int32_t i = 0, j = 0;  ///< inner numbers of its disks
@@ -36,22 +22,18 @@ template <int D> struct BondSlotIn : BondRowIn<D> {
 using BondSlot = BondSlotIn<2>;
 
 /// The slots' numbers side by side, for the loop over them.
-struct BondNumbers {
+template <int D> struct BondNumbers {
   std::vector<std::int32_t> i, j;
-  Components<bond_columns> column;  ///< in the order of BondRow
+  std::vector<BondRow<D, Eight>> row;
   std::vector<std::uint8_t> look;
   std::vector<std::int32_t> across;  ///< slots that mean another image of j than j itself
   bool damped = false;
-  BondRow<double*> columns() { return std::bit_cast<BondRow<double*>>(column.data()); }
 };
-struct NoNumbers {};
-template <int D> using BondNumbersIn = std::conditional_t<D == 2, BondNumbers, NoNumbers>;
 
 /// A slot for the bond at that place, by the disks' present numbers (by grain) and places.
 template <int D>
 BondSlotIn<D> slot_of(const SampleIn<D>& sample, std::size_t place, const std::vector<std::int32_t>& number);
-BondNumbers lined_up(const std::vector<BondSlot>& slots);
-inline NoNumbers lined_up(const std::vector<BondSlotIn<3>>& /*slots*/) { return {}; }
+template <int D> BondNumbers<D> lined_up(const std::vector<BondSlotIn<D>>& slots);
 
 /// Takes a bond out of the list, in which it keeps its place until the list is built anew.
 template <int D> void end_bond(SampleIn<D>& sample, std::size_t slot);

@@ -51,15 +51,16 @@ template <int D> void book_breaks(SampleIn<D>& s) {
 }
 
 /// The periodic images that bonds mean, where they are now.
-void move_images(Sample& s) {
-  const BondRow<double*> column = the<Bonds>(s).numbers.columns();
-  for (const std::int32_t slot : the<Bonds>(s).numbers.across) {
-    const Vec2 place = s.domain.way(the<Bonds>(s).slots[slot].shift),
-               velocity = image_velocity(s, the<Bonds>(s).slots[slot].shift);
-    column.image.x[slot] = place.x;
-    column.image.y[slot] = place.y;
-    column.image_velocity.x[slot] = velocity.x;
-    column.image_velocity.y[slot] = velocity.y;
+template <int D> void move_images(SampleIn<D>& s) {
+  auto& bonds = the<BondsIn<D>>(s);
+  for (const std::int32_t slot : bonds.numbers.across) {
+    const Cells<D> shift = bonds.slots[slot].shift;
+    const Vec<D> place = s.domain.way(shift), velocity = image_velocity(s, shift);
+    auto& row = bonds.numbers.row[static_cast<std::size_t>(slot) / 8];
+    for (int axis = 0; axis < D; ++axis) {
+      row.image[axis][slot % 8] = place[axis];
+      row.image_velocity[axis][slot % 8] = velocity[axis];
+    }
   }
 }
 
@@ -80,44 +81,35 @@ template <int D, class Law> bool look_at(SampleIn<D>& s, const Law& law, std::si
   return false;
 }
 
-BondTask bond_task(Sample& s) {
-  BondNumbers& numbers = the<Bonds>(s).numbers;
-  const auto column = std::bit_cast<BondRow<const double*>>(numbers.columns());
-  return {s.record.data(),
-          s.angle.along[0].data(),
-          numbers.i.data(),
-          numbers.j.data(),
-          column,
-          &s.list.force[the<Bonds>(s).place(s.list, 0)],
-          numbers.look.data(),
-          numbers.damped};
+const double* attitudes_of(const Sample& s) { return s.angle.along[0].data(); }
+const geometry::Rotation* attitudes_of(const SampleIn<3>& s) { return the<BondsIn<3>>(s).attitudes.now.data(); }
+
+template <int D> BondTask<D> bond_task(SampleIn<D>& s) {
+  auto& bonds = the<BondsIn<D>>(s);
+  return {s.record.data(),           attitudes_of(s),          bonds.numbers.i.data(),
+          bonds.numbers.j.data(),    bonds.numbers.row.data(), &s.list.force[bonds.place(s.list, 0)],
+          bonds.numbers.look.data(), bonds.numbers.damped};
 }
 
 /// The loop over the bonds, compiled for this processor: true of a range with bonds that need a closer look.
-struct CompiledLoop {
-  BondTask task;
-  Kernel::BondLoop loop;
+template <int D> struct CompiledLoop {
+  BondTask<D> task;
+  typename KernelIn<D>::BondLoop loop;
   const BondLaw& law;
   bool operator()(std::size_t begin, std::size_t end) const { return loop(task, law, begin, end); }
   bool asks_for(std::size_t slot) const { return task.look[slot] != 0; }
 };
-CompiledLoop loop_over(Sample& s) {
+template <int D> CompiledLoop<D> loop_over(SampleIn<D>& s) {
   move_images(s);
   return {bond_task(s), s.kernel->bond_loops[s.contact.bonds.index()], s.contact.bonds};
 }
-/// Those of spheres are all looked at.
-struct EachBond {
-  bool operator()(std::size_t /*begin*/, std::size_t /*end*/) const { return true; }
-  bool asks_for(std::size_t /*slot*/) const { return true; }
-};
-EachBond loop_over(SampleIn<3>& /*sample*/) { return {}; }
 
 /// How grains have turned since they were bonded, where a bond says that.
 void put_turns(const Sample& /*sample*/, const BondSlot& /*slot*/, Bond& /*bond*/) {}
 void put_turns(const SampleIn<3>& s, const BondSlotIn<3>& b, BondIn<3>& bond) {
   const auto& now = the<BondsIn<3>>(s).attitudes.now;
-  bond.angle_i = vector_of(now[s.record[b.i].grain] * b.back_i);
-  bond.angle_j = vector_of(now[s.record[b.j].grain] * b.back_j);
+  bond.angle_i = geometry::vector_of(now[s.record[b.i].grain] * geometry::rotation_by(-bond.angle_i));
+  bond.angle_j = geometry::vector_of(now[s.record[b.j].grain] * geometry::rotation_by(-bond.angle_j));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ template <int D> struct BondsIn : PartOf<D> {
   using S = SampleIn<D>;
   std::vector<BondIn<D>> all;          ///< sorted by their grains; without the forces of now
   std::vector<BondSlotIn<D>> slots;    ///< of the bonds that held when the list was built
-  BondNumbersIn<D> numbers;            ///< of these
+  BondNumbers<D> numbers;              ///< of these
   Attitudes<D> attitudes;              ///< of the grains
   std::vector<std::int32_t> reopened;  ///< places of bonds that broke since the list was built that is about to be made
 

@@ -10,6 +10,7 @@
 
 #include "core/problems.hpp"
 #include "core/root.hpp"
+#include "grains/dem/bounds.hpp"
 #include "grains/dem/coefficients.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/exchange/traffic.hpp"
@@ -160,9 +161,9 @@ double closing_time(const dem::Stage& stage, const Pressures& pressures, bool wi
   return way / (x || y ? speed : std::sqrt(stage.gravity_size * way));
 }
 
-/// As the engine bounds it: Hertz contacts count as stiff as at an overlap of 2 %.
+/// As the engine bounds it before grains overlap.
 double tangent(const dem::ContactParameters& contact, double stiffness) {
-  return std::visit([&](const auto& law) { return law.tangent(0.02, stiffness, 1.0); }, contact.normal);
+  return std::visit([&](const auto& law) { return law.tangent(dem::reference_share, stiffness, 1.0); }, contact.normal);
 }
 
 }  // namespace

@@ -27,6 +27,9 @@ TEST(StatedTimes, NamesOfTimesAndNumbers) {
   EXPECT_EQ(unit_of_time_name("time_stamp"), "");
   for (const char* other : {"T", "T_s", "exposure_time", "time_zone", "frames", "timer"})
     EXPECT_FALSE(unit_of_time_name(other)) << other;
+  for (const char* array : {"frame", "frames", "Frame", "index", "image_number", "frame_id"})
+    EXPECT_TRUE(names_array_of_numbers(array)) << array;
+  EXPECT_FALSE(names_array_of_numbers("frame_rate"));
   EXPECT_TRUE(names_frame_numbers("Frame-Number"));
   EXPECT_FALSE(names_frame_numbers("frame_rate"));
 }
@@ -39,6 +42,12 @@ TEST(StatedTimes, WordsOfAFrame) {
   EXPECT_NEAR(time("{\"frame\": 12, \"timestamp_ms\": 400}"), 0.4, 1e-12);
   EXPECT_NEAR(time("Time: 2024-05-01 01:00:03.25"), 3603.25, 1e-9);
   EXPECT_NEAR(time("t = 0,4 s"), 0.4, 1e-12);
+  EXPECT_NEAR(time("Time [ms]: 33.33"), 0.03333, 1e-12);
+  EXPECT_NEAR(time("time (s) = 0.4"), 0.4, 1e-12);
+  for (const char* text : {"frame rate = 30 Hz", "Frame_Rate: 30", "fps: 30.0 fps"})
+    EXPECT_DOUBLE_EQ(words_of_frame(text).rate, 30) << text;
+  for (const char* none : {"frame rate = 30 kHz", "frame rate", "frame = 30"})
+    EXPECT_EQ(words_of_frame(none).rate, 0) << none;
   EXPECT_NEAR(time("frame_rate = 30\ntime = 0.4\n"), 0.4, 1e-12);
   for (const char* none : {"Exposure time: 2 ms", "T = 300", "time", "lifetime = 3", "timer = 3"})
     EXPECT_TRUE(std::isnan(time(none))) << none;

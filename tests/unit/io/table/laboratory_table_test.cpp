@@ -45,6 +45,18 @@ TEST(LaboratoryTable, AnAssumedUnitIsNoted) {
   EXPECT_NE(t.notes()[0].find("states no unit of F, so N was assumed"), std::string::npos);
 }
 
+TEST(LaboratoryTable, AUnitInACommentAboveIsTaken) {
+  for (const char* comment : {"# units: mm, kN", "# unit = kN", "% Units: kN; mm"}) {
+    const Written file(comment + std::string("\nu,F\n1,2.5\n"));
+    LaboratoryTable t(file.path);
+    EXPECT_EQ(t.values(*t.find(force), force), std::vector<double>{2500}) << comment;
+    EXPECT_TRUE(t.notes().empty());
+  }
+  const Written own("# units: kN\nu,F [N]\n1,2.5\n");
+  LaboratoryTable t(own.path);
+  EXPECT_EQ(t.values(*t.find(force), force), std::vector<double>{2.5}) << "that of the column wins";
+}
+
 TEST(LaboratoryTable, DegreesCelsius) {
   const Written file("u,dT [C]\n1,2.5\n");
   LaboratoryTable t(file.path);
