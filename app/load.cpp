@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "core/thread_count.hpp"
 #include "io/image/image.hpp"
 #include "io/volume/volume.hpp"
 #include "print.hpp"
@@ -27,6 +28,7 @@ struct LoadArguments {
   std::string file, out;
   KeyOptions map{recipe::every_key<recipe::MapSection>()}, load{recipe::every_key<recipe::Load>()};
   bool json = false, quiet = false;
+  int threads = Threads{}.threads;
   const elements::OtherSolver* solver = nullptr;
 };
 
@@ -60,6 +62,7 @@ void tell_idle_options(const LoadArguments& a, const recipe::MapSection& map) {
 workflow::RunOptions options_of(const LoadArguments& a, ProgressLine& line) {
   workflow::RunOptions options;
   options.out = a.out;
+  options.threads = a.threads;
   options.asked_to_stop = stop_requested;
   options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
   options.notice = [&](const std::string& sentence) { line.notice(sentence); };
@@ -168,6 +171,7 @@ void add_load_by(const elements::OtherSolver* solver, Options& command, int& sta
   add_loading(command, a->load);
   add_json(command, a->json);
   command.add("--out", a->out, "Folder for the field (.h5) and its page; if not given, nothing is stored").type("DIR");
+  if (!solver) add_threads(command, a->threads);
   add_quiet(command, a->quiet);
   command.work = [a, &status] { status = execute(*a); };
 }

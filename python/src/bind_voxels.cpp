@@ -76,15 +76,17 @@ VoxelMap voxel_map_in(const Path& file, const std::optional<Quantity>& dx, const
   return read;
 }
 
-VoxelResult loaded_voxels(const VoxelMap& map, const std::string& loading, const Progress& progress,
+VoxelResult loaded_voxels(const VoxelMap& map, const std::string& loading, int threads, const Progress& progress,
                           const py::kwargs& more) {
+  const int members = threads_given(threads);
   const recipe::Load load = load_of("load_voxels", loading, more);
   Call call;
   auto result = call.without_lock([&] {
-    return workflow::apply_load(load, map, [&](const statics::Progress& at) {
+    const auto watch = [&](const statics::Progress& at) {
       call.tell(progress, at.share, load.name);
       return !call.asked_to_stop();
-    });
+    };
+    return workflow::apply_load(load, map, watch, nullptr, {}, members);
   });
   return result ? std::move(*result) : VoxelResult{};
 }
@@ -259,7 +261,7 @@ void bind_voxel_functions(py::module_& m) {
       "Loads a sample in space along z by bonds or, with method=\"elements\", by elements (docs/voxels.md). With "
       "`effective_stiffness` that stiffness of the periodic sample follows; with `failure` bonds break until "
       "the sample does.",
-      py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
+      py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(), threads_argument(),
       py::arg("progress") = py::none());
 }
 

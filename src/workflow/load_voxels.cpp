@@ -209,7 +209,8 @@ std::optional<VoxelResult> load_until_failure(const recipe::Load& load, VoxelRes
 }  // namespace
 
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
-                                      const elements::OtherSolver* solver, const FailureCheckpointIn<3>& checkpoint) {
+                                      const elements::OtherSolver* solver, const FailureCheckpointIn<3>& checkpoint,
+                                      int threads) {
   require_space(load, solver);
   VoxelResult result;
   result.name = load.name;
@@ -226,6 +227,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   solve.strain = load.strain;
   solve.watch = shares.of_load();
   solve.solver = solver;
+  solve.threads = threads;
   auto loaded = load.by_elements() ? elements::load(map, solve) : loaded_by_bonds(load, map, solve.watch);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
   result.convergence = convergence_of(loaded.report.history);
@@ -250,7 +252,7 @@ LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::
   const bool is_stored = !options.out.empty();
   const auto make = [&](const statics::Watch& watch, const std::string& hash, const fs::path& checkpoint) {
     return apply_load(load, read_voxels(map, options.notice), watch, solver,
-                      kept_failure<3>(load, is_stored ? checkpoint : fs::path(), hash, options));
+                      kept_failure<3>(load, is_stored ? checkpoint : fs::path(), hash, options), options.threads);
   };
   auto loaded = load_by_itself<VoxelResult>(map, load, options, make, io::write_voxels, io::read_voxels);
   std::error_code error;

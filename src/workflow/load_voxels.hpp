@@ -25,10 +25,10 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
 
 /// Loads a sample in space between its lowest and its highest layer by bonds or elements; with
 /// `load.effective_stiffness` that follows, as of a sample that repeats itself; with `load.failure` until it breaks.
-/// Nothing if the watch stopped it. Throws InputError as require_space does.
+/// `threads` work on elements. Nothing if the watch stopped it. Throws InputError as require_space does.
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
                                       const elements::OtherSolver* solver = nullptr,
-                                      const FailureCheckpointIn<3>& checkpoint = {});
+                                      const FailureCheckpointIn<3>& checkpoint = {}, int threads = Threads{}.threads);
 
 /// The same of a file, kept as load_by_itself says. Throws InputError for what cannot be read as a voxel map.
 LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,

@@ -193,7 +193,8 @@ class Run {
       const recipe::Load& load = recipe_.loads[k];
       const auto make = [&](const fs::path& kept) {
         if (!sample) sample = make_sample();
-        return apply_load(load, *sample, watch, nullptr, kept_failure<3>(load, kept, plan_[first + k].hash, options_));
+        return apply_load(load, *sample, watch, nullptr, kept_failure<3>(load, kept, plan_[first + k].hash, options_),
+                          recipe_.integration.threads);
       };
       if (!add_on_grid<VoxelResult>(first + k, outcome_.voxels, make, io::write_voxels, io::read_voxels)) return false;
       done();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/thread_count.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
@@ -55,8 +56,9 @@ struct RunOptions {
   std::function<void(const std::string&)> notice = [](const std::string&) {};  ///< a sentence the user should see
   std::function<bool()> asked_to_stop = [] { return false; };                  ///< true: checkpoint and leave
   double checkpoint_seconds = Checkpoints{}.every;                             ///< between two checkpoints
-  const Store* store = nullptr;  ///< stages that are there are taken from it, and what is computed is put there
-  bool page_follows = false;     ///< of stresses, what a page alone shows is measured with the rest
+  int threads = Threads{}.threads;  ///< that work on the voxels of load_voxels()
+  const Store* store = nullptr;     ///< stages that are there are taken from it, and what is computed is put there
+  bool page_follows = false;        ///< of stresses, what a page alone shows is measured with the rest
   const StepFunction* on_step = nullptr;  ///< called while a stage of loading is computed (stage_watch.hpp)
   const EngineOptions* engine = nullptr;  ///< another program that runs stages (lammps/engine_options.hpp)
 };

@@ -4,7 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "solid/elements/cell_sums.hpp"
 #include "solid/elements/kernels/kernels.hpp"
+#include "solid/statics/pool.hpp"
 
 namespace arenite::elements {
 namespace {
@@ -85,19 +87,19 @@ template <int D> class LevelSums {
         hats_(cut.side),
         prescribed_(prescribed),
         side_(cut.side) {
+    if (D > 2) return;  // CellSums has taken them
     // An element whose corners are of one aggregate has the same part in it wherever its cell lies.
     const int last = side_ - 1;
-    whole_.resize(static_cast<std::size_t>(side_ * side_ * (D > 2 ? side_ : 1)));
-    for (int z = 0; z < (D > 2 ? last : 1); ++z)
-      for (int y = 0; y < last; ++y)
-        for (int x = 0; x < last; ++x) {
-          Part<D>& part = whole_[place_in_cell(x, y, z)];
-          part.clear();
-          for (int c = 0; c < statics::corners<D>; ++c) {
-            const auto [right, back, up] = Corners<D>::place_of(c);
-            part.add(hats_.at(x + right, y + back, z + up), c, false);
-          }
+    whole_.resize(static_cast<std::size_t>(side_ * side_));
+    for (int y = 0; y < last; ++y)
+      for (int x = 0; x < last; ++x) {
+        Part<D>& part = whole_[place_in_cell(x, y)];
+        part.clear();
+        for (int c = 0; c < statics::corners<D>; ++c) {
+          const auto [right, back, up] = Corners<D>::place_of(c);
+          part.add(hats_.at(x + right, y + back, up), c, false);
         }
+      }
   }
 
   void add(int x, int y, int z, statics::CouplingSumIn<D>& sum) const {
@@ -105,8 +107,8 @@ template <int D> class LevelSums {
     if (kind == none) return;
     const Owners<D> owners = corners_.of(x, y, z);
     const Modes<D>& modes = elements_.modes[kind];
-    if (owners.count == 1 && owners.is_whole && !slides(D > 2 ? z : y)) {
-      const Part<D>& part = whole_[place_in_cell(x % side_, y % side_, z % side_)];
+    if (D == 2 && owners.count == 1 && owners.is_whole && !slides(y)) {
+      const Part<D>& part = whole_[place_in_cell(x % side_, y % side_)];
       couple_(modes, part, part, sum.between(owners.list[0], owners.list[0]));
       return;
     }
@@ -129,15 +131,61 @@ template <int D> class LevelSums {
 
  private:
   bool slides(int level) const { return prescribed_[static_cast<std::size_t>(level)] == statics::normal_component<D>; }
-  std::size_t place_in_cell(int x, int y, int z) const { return static_cast<std::size_t>((z * side_ + y) * side_ + x); }
+  std::size_t place_in_cell(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
 
   const ElementsIn<D>& elements_;
   Corners<D> corners_;
   statics::HatTableIn<D> hats_;
-  std::vector<Part<D>> whole_;  ///< by the place of an element in its cell
+  std::vector<Part<D>> whole_;  ///< in the plane, by the place of an element in its cell
   const std::vector<std::uint8_t>& prescribed_;
   int side_;
   CouplingKernel<D> couple_ = coupling_kernel<D>();
+};
+
+/// All elements of a layer of coarse cells.
+template <int D> class SumOfLayer {
+ public:
+  SumOfLayer(const ElementsIn<D>& elements, const Aggregates& cut, const std::vector<std::uint8_t>&,
+             const LevelSums<D>& level)
+      : elements_(elements),
+        side_(cut.side),
+        level_(level) {}
+  void add(int layer, statics::CouplingSumIn<D>& sum) const {
+    const int first = layer * side_;
+    elements_.each_between(first, std::min(first + side_, elements_.cells[D - 1]),
+                           [&](int x, int y, int z) { level_.add(x, y, z, sum); });
+  }
+
+ private:
+  const ElementsIn<D>& elements_;
+  int side_;
+  const LevelSums<D>& level_;
+};
+template <> class SumOfLayer<3> {
+ public:
+  SumOfLayer(const Voxels& elements, const Aggregates& cut, const std::vector<std::uint8_t>& prescribed,
+             const LevelSums<3>& level)
+      : elements_(elements),
+        side_(cut.side),
+        cells_(elements, cut, prescribed),
+        level_(level) {}
+  void add(int layer, statics::CouplingSumIn<3>& sum) const {
+    const auto& count = elements_.cells;
+    const auto within = [&](int from, int axis) {
+      return std::min(side_, count[static_cast<std::size_t>(axis)] - from);
+    };
+    const int z0 = layer * side_;
+    for (int y0 = 0; y0 < count[1]; y0 += side_)
+      for (int x0 = 0; x0 < count[0]; x0 += side_)
+        cells_.add({x0, y0, within(x0, 0), within(y0, 1), z0, within(z0, 2)}, sum,
+                   [&](int x, int y, int z) { level_.add(x, y, z, sum); });
+  }
+
+ private:
+  const Voxels& elements_;
+  int side_;
+  CellSums cells_;
+  const LevelSums<3>& level_;
 };
 
 }  // namespace
@@ -149,12 +197,18 @@ statics::GalerkinSums<D> couplings(const ElementsIn<D>& elements, const Aggregat
   sums.pairs = coupled_pairs(elements, aggregates);
   sums.each = [&elements, prescribed](const Aggregates& cut, const typename statics::GalerkinSums<D>::Take& take) {
     const LevelSums<D> level(elements, cut, prescribed);
-    const int levels = elements.cells[D - 1];
-    for (int first = 0; first < levels; first += cut.side) {
-      statics::CouplingSumIn<D> sum(cut.list.size(), false);
-      elements.each_between(first, std::min(first + cut.side, levels),
-                            [&](int x, int y, int z) { level.add(x, y, z, sum); });
-      for (const statics::CouplingIn<D>& c : sum.crosses()) take(c);
+    const auto layers = static_cast<std::size_t>((elements.cells[D - 1] + cut.side - 1) / cut.side);
+    const auto members = static_cast<std::size_t>(elements.pool ? elements.pool->size() : 1);
+    std::vector<statics::CouplingSumIn<D>> sum(members, statics::CouplingSumIn<D>(cut.list.size(), false));
+    const SumOfLayer<D> of_layer(elements, cut, prescribed, level);
+    for (std::size_t first = 0; first < layers; first += members) {
+      const std::size_t count = std::min(members, layers - first);
+      statics::for_each(elements.pool, count, [&](std::size_t k) {
+        sum[k].clear();
+        of_layer.add(static_cast<int>(first + k), sum[k]);
+      });
+      for (std::size_t k = 0; k < count; ++k)
+        for (const statics::CouplingIn<D>& c : sum[k].crosses()) take(c);
     }
   };
   return sums;

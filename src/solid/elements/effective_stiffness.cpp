@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/threads.hpp"
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/elements/support.hpp"
 #include "solid/statics/static_solver.hpp"
@@ -59,7 +60,8 @@ template <int D> int side_in_period(const std::array<int, 3>& cells, int wanted)
 
 template <int D> EffectiveStiffness<D> effective_stiffness_in(const MapIn<D>& map, const SolveOptions& options) {
   statics::check_load(1e-4, options.tolerance);
-  ElementsIn<D> elements = make_elements<D>(map, options.material, true);
+  const ThreadPool pool(D > 2 ? options.threads : 1);
+  ElementsIn<D> elements = make_elements<D>(map, options.material, true, &pool);
   EffectiveStiffness<D> result;
   result.bounds = bounds_of(elements);
   result.support = prune_periodic(elements);

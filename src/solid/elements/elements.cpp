@@ -55,17 +55,19 @@ template <int D> std::array<std::ptrdiff_t, ElementsIn<D>::corner_count> Element
   return steps;
 }
 
-template <int D> ElementsIn<D> make_elements(const MapIn<D>& map, const Material& material, bool periodic) {
+template <int D>
+ElementsIn<D> make_elements(const MapIn<D>& map, const Material& material, bool periodic, const ThreadPool* pool) {
   arenite::check(map);
   check("matrix", material.matrix);
   check("interface", material.interface);
   check("particle", material.particle);
   ElementsIn<D> elements;
+  elements.pool = pool;
   elements.cells = cells_of(map);
   elements.grid = grid_of(map, periodic ? 0 : 1);
   elements.grid.periodic = periodic;
   elements.words = Buffer<std::uint32_t>(elements.grid.padded_size());
-  elements.each([&](int x, int y, int z) {
+  elements.each_shared([&](int x, int y, int z) {
     elements.words[elements.grid.index(x, y, z)] = kind_at<D>(map, elements, {x, y, z});
   });
   statics::close_period(elements.grid, elements.words.data());
@@ -81,9 +83,7 @@ template <int D> ElementsIn<D> make_elements(const MapIn<D>& map, const Material
   return elements;
 }
 
-template <int D> BlockDiagonalIn<D, double> block_diagonal(const ElementsIn<D>& elements) {
-  const Grid& grid = elements.grid;
-  BlockDiagonalIn<D, double> sum(grid.padded_size());
+template <int D> std::function<statics::BlockIn<D>(std::ptrdiff_t)> blocks_of(const ElementsIn<D>& elements) {
   constexpr std::size_t corners = ElementsIn<D>::corner_count;
   std::array<std::array<statics::BlockIn<D>, corners>, 4> of_kind{};
   for (const Kind kind : solid_kinds)
@@ -93,16 +93,21 @@ template <int D> BlockDiagonalIn<D, double> block_diagonal(const ElementsIn<D>& 
         for (int b = a; b < D; ++b)
           of_kind[kind][c](a, b) = block[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
     }
-  const auto steps = elements.steps();
-  grid.each([&](std::ptrdiff_t i, int) {
+  return [&elements, of_kind, steps = elements.steps()](std::ptrdiff_t i) {
     statics::BlockIn<D> own;
     for (std::size_t c = corners; c-- > 0;) {
       const auto& block = of_kind[elements.kind(i - steps[c])][c];
       for (int a = 0; a < D; ++a)
         for (int b = a; b < D; ++b) own(a, b) += block(a, b);
     }
-    sum.set(i, own);
-  });
+    return own;
+  };
+}
+
+template <int D> BlockDiagonalIn<D, double> block_diagonal(const ElementsIn<D>& elements) {
+  BlockDiagonalIn<D, double> sum(elements.grid.padded_size());
+  const auto block = blocks_of(elements);
+  elements.grid.each([&](std::ptrdiff_t i, int) { sum.set(i, block(i)); });
   return sum;
 }
 
@@ -138,12 +143,12 @@ Buffer<std::int32_t> owners_of(const MapIn<D>& map, const ElementsIn<D>& element
   const Grid& grid = elements.grid;
   const auto of_map = statics::owners_in(map);
   Buffer<std::int32_t> of_cell(grid.padded_size(), -1), owner(grid.padded_size(), -1);
-  elements.each([&](int x, int y, int z) {
+  elements.each_shared([&](int x, int y, int z) {
     of_cell[grid.index(x, y, z)] = of_map[static_cast<std::size_t>(elements.place(x, y, z))];
   });
   statics::close_period(grid, of_cell.data());
   const auto steps = elements.steps();
-  grid.each([&](std::ptrdiff_t i, int level) {
+  statics::each_node(elements.pool, grid, [&](std::ptrdiff_t i, int level) {
     if (prescribed[static_cast<std::size_t>(level)] != statics::every_component<D>)
       owner[i] = owner_of(elements, steps, of_cell, i);
   });
@@ -185,15 +190,18 @@ Aggregates cut_into_aggregates(const MapIn<D>& map, const ElementsIn<D>& element
           for (int y = -1; y < cell.high; ++y)
             for (int x = -1; x < cell.wide; ++x) join(cell, sets, x, y, z);
       },
-      side);
+      side, elements.pool);
 }
 
 template struct ElementsIn<2>;
 template struct ElementsIn<3>;
-template Elements make_elements<2>(const PhaseMap& map, const Material& material, bool periodic);
-template Voxels make_elements<3>(const VoxelMap& map, const Material& material, bool periodic);
+template Elements make_elements<2>(const PhaseMap& map, const Material& material, bool periodic,
+                                   const ThreadPool* pool);
+template Voxels make_elements<3>(const VoxelMap& map, const Material& material, bool periodic, const ThreadPool* pool);
 template BlockDiagonalIn<2, double> block_diagonal(const Elements& elements);
 template BlockDiagonalIn<3, double> block_diagonal(const Voxels& elements);
+template std::function<statics::BlockIn<2>(std::ptrdiff_t)> blocks_of(const Elements& elements);
+template std::function<statics::BlockIn<3>(std::ptrdiff_t)> blocks_of(const Voxels& elements);
 template statics::Smoothing smoothing_of(const Elements& elements);
 template statics::Smoothing smoothing_of(const Voxels& elements);
 template Aggregates cut_into_aggregates<2>(const PhaseMap& map, const Elements& elements,

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/pages.hpp"
@@ -12,6 +13,7 @@
 #include "solid/statics/block_diagonal.hpp"
 #include "solid/statics/discretisation.hpp"
 #include "solid/statics/grid.hpp"
+#include "solid/statics/pool.hpp"
 
 namespace arenite::elements {
 
@@ -36,6 +38,7 @@ template <int D> struct ElementsIn {
   Buffer<std::uint32_t> words;        ///< padded
   std::array<Modes<D>, 4> modes;      ///< by kind, as the kernels have them: rounded to single precision
   std::array<std::array<float, 4>, Modes<D>::members.size()> table{};  ///< the members of Modes, each by kind
+  const ThreadPool* pool = nullptr;                                    ///< works on it in space; none: the caller alone
 
   Kind kind(std::ptrdiff_t i) const { return static_cast<Kind>(words[i] & 3u); }
   std::size_t count() const {
@@ -58,16 +61,26 @@ template <int D> struct ElementsIn {
         for (int x = 0; x < cells[0]; ++x) visit(x, y, z);
   }
   template <class Visit> void each(const Visit& visit) const { each_between(0, cells[D - 1], visit); }
+  /// The same, level by level by whichever member of the pool.
+  template <class Visit> void each_shared(const Visit& visit) const {
+    statics::for_each(pool, static_cast<std::size_t>(cells[D - 1]), [&](std::size_t level) {
+      each_between(static_cast<int>(level), static_cast<int>(level) + 1, visit);
+    });
+  }
 };
 using Elements = ElementsIn<2>;
 using Voxels = ElementsIn<3>;
 
 /// Throws InputError for a modulus that is not positive or a Poisson's ratio outside (-1, 1/2).
-template <int D> ElementsIn<D> make_elements(const MapIn<D>& map, const Material& material, bool periodic = false);
+template <int D>
+ElementsIn<D> make_elements(const MapIn<D>& map, const Material& material, bool periodic = false,
+                            const ThreadPool* pool = nullptr);
 
 // What the static solver asks (statics/discretisation.hpp), beside couplings and kernels_of (kernels/kernels.hpp).
 
 template <int D> BlockDiagonalIn<D, double> block_diagonal(const ElementsIn<D>& elements);
+/// The same of one node at a time.
+template <int D> std::function<statics::BlockIn<D>(std::ptrdiff_t)> blocks_of(const ElementsIn<D>& elements);
 /// Up to the largest eigenvalue of D_e^-1 K_e over the kinds, which no sum of elements exceeds. Elements reach less far
 /// than bonds, so that the coarse space leaves the smoother longer waves.
 template <int D> statics::Smoothing smoothing_of(const ElementsIn<D>& elements);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/problems.hpp"
+#include "core/threads.hpp"
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/elements/stress.hpp"
 #include "solid/elements/support.hpp"
@@ -58,7 +59,8 @@ statics::StaticReport equilibrium(const VoxelMap& map, const Voxels& elements,
 
 template <int D> statics::LoadResultIn<D> load_in(const MapIn<D>& map, const LoadOptions& options) {
   statics::check_load(options.strain, options.tolerance);
-  ElementsIn<D> elements = make_elements<D>(map, options.material);
+  const ThreadPool pool(D > 2 ? options.threads : 1);
+  ElementsIn<D> elements = make_elements<D>(map, options.material, false, &pool);
   if (elements.cells[D - 1] < 2)
     throw refusal("one {0} lies between the clamps, which hold all of it; give two {0}s or more{1}",
                   D == 2 ? "row" : "layer", D == 2 ? "" : ", or load it as a picture");

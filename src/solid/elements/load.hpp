@@ -17,6 +17,7 @@ struct SolveOptions {
   int max_iterations = 0;   ///< 0: 50 in the plane and 200 in space, more for tolerances below 1e-6
   int cell = 0;  ///< elements a side of the coarse cells; 0: 16 in the plane, 8 to 16 in space (thin struts: 4)
   Material material{};
+  int threads = 1;  ///< that work on a sample in space; the field does not depend on their number
   statics::Watch watch{};
 };
 /// What 0 stands for, in a sample of so many elements.

@@ -80,16 +80,12 @@ StressIn<D> element_stress(const MapIn<D>& map, const ElementsIn<D>& elements, c
   for (auto* values : arrays) values->assign(map.size(), 0);
   using Number = typename std::remove_reference_t<decltype(*arrays[0])>::value_type;
   const auto added = amplitudes_of<D>(strain, map.dx);
-  std::size_t k = 0;
-  elements.each([&](int x, int y, int z) {
-    if (map.phase[k] != Phase::empty) {
-      const Middle<D> middle = middle_of<D>(elements, u, added, map.dx, {x, y, z});
-      for (int c = 0; c < D; ++c)
-        (*arrays[static_cast<std::size_t>(c)])[k] = static_cast<Number>(middle.displacement[c]);
-      for (std::size_t c = 0; c < middle.stress.size(); ++c)
-        (*arrays[D + c])[k] = static_cast<Number>(middle.stress[c]);
-    }
-    ++k;
+  elements.each_shared([&](int x, int y, int z) {
+    const auto k = static_cast<std::size_t>(elements.place(x, y, z));
+    if (map.phase[k] == Phase::empty) return;
+    const Middle<D> middle = middle_of<D>(elements, u, added, map.dx, {x, y, z});
+    for (int c = 0; c < D; ++c) (*arrays[static_cast<std::size_t>(c)])[k] = static_cast<Number>(middle.displacement[c]);
+    for (std::size_t c = 0; c < middle.stress.size(); ++c) (*arrays[D + c])[k] = static_cast<Number>(middle.stress[c]);
   });
   return field;
 }

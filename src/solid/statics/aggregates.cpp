@@ -8,9 +8,10 @@
 namespace arenite::statics {
 namespace {
 
-/// Numbers the aggregates of one cell in the order of their first node.
+/// Numbers the aggregates of one cell in the order of their first node, among those of a layer of cells.
 void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets,
-                    std::vector<std::int32_t>& aggregate, Aggregates& aggregates) {
+                    std::vector<std::int32_t>& aggregate, Aggregates& aggregates,
+                    std::vector<Aggregates::Aggregate>& list) {
   const int side = aggregates.side;
   for (int z = 0; z < c.deep; ++z)
     for (int y = 0; y < c.high; ++y)
@@ -19,12 +20,12 @@ void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const C
         if (owner[i] < 0) continue;
         const std::int32_t k = (z * side + y) * side + x, root = sets.find(k);
         if (root == k) {
-          aggregate[k] = aggregates.count();
-          aggregates.list.push_back({owner[i], {c.x0 / side, c.y0 / side, c.z0 / side}});
+          aggregate[k] = static_cast<std::int32_t>(list.size());
+          list.push_back({owner[i], {c.x0 / side, c.y0 / side, c.z0 / side}});
         }
         const std::int32_t p = aggregate[root];
         aggregates.of_node[i] = p;
-        ++aggregates.list[p].nodes;
+        ++list[static_cast<std::size_t>(p)].nodes;
       }
 }
 
@@ -86,14 +87,16 @@ std::vector<std::int32_t> owners_in(const VoxelMap& map) {
 }
 
 Aggregates cut_by_owner(const Grid& grid, const Buffer<std::int32_t>& owner,
-                        const std::function<void(const Cell&, JoinedSets&)>& join, int side) {
+                        const std::function<void(const Cell&, JoinedSets&)>& join, int side, const ThreadPool* pool) {
   Aggregates aggregates;
   aggregates.side = side;
   aggregates.of_node.assign(grid.padded_size(), Aggregates::none);
-  JoinedSets sets;
   const auto places = static_cast<std::size_t>(side * side * (grid.in_space() ? side : 1));
-  std::vector<std::int32_t> aggregate(places);
-  for (int z0 = 0; z0 < grid.depth; z0 += side)
+  std::vector<std::vector<Aggregates::Aggregate>> lists(static_cast<std::size_t>((grid.depth + side - 1) / side));
+  for_each(pool, lists.size(), [&](std::size_t layer) {
+    JoinedSets sets;
+    std::vector<std::int32_t> aggregate(places);
+    const int z0 = static_cast<int>(layer) * side;
     for (int y0 = 0; y0 < grid.height; y0 += side)
       for (int x0 = 0; x0 < grid.width; x0 += side) {
         const Cell c{x0,
@@ -104,8 +107,18 @@ Aggregates cut_by_owner(const Grid& grid, const Buffer<std::int32_t>& owner,
                      std::min(side, grid.depth - z0)};
         sets.part(places);
         join(c, sets);
-        add_aggregates(grid, owner, c, sets, aggregate, aggregates);
+        add_aggregates(grid, owner, c, sets, aggregate, aggregates, lists[layer]);
       }
+  });
+  std::vector<std::int32_t> first;
+  for (const auto& list : lists) {
+    first.push_back(aggregates.count());
+    aggregates.list.insert(aggregates.list.end(), list.begin(), list.end());
+  }
+  each_node(pool, grid, [&](std::ptrdiff_t i, int level) {
+    std::int32_t& p = aggregates.of_node[i];
+    if (p >= 0 && grid.in_space()) p += first[static_cast<std::size_t>(level / side)];
+  });
   return aggregates;
 }
 

@@ -9,6 +9,7 @@
 #include "model/phase_map.hpp"
 #include "model/voxel_map.hpp"
 #include "solid/statics/grid.hpp"
+#include "solid/statics/pool.hpp"
 
 namespace arenite::statics {
 
@@ -45,6 +46,7 @@ std::vector<std::int32_t> owners_in(const VoxelMap& map);
 /// Cuts nodes by their owners (padded, -1: nobody's) and by cells of `side` nodes. `join(cell, sets)` joins the nodes
 /// of a cell (by their places in it, (z * side + y) * side + x) that hang together and have one owner.
 Aggregates cut_by_owner(const Grid& grid, const Buffer<std::int32_t>& owner,
-                        const std::function<void(const Cell&, JoinedSets&)>& join, int side = Aggregates::cell);
+                        const std::function<void(const Cell&, JoinedSets&)>& join, int side = Aggregates::cell,
+                        const ThreadPool* pool = nullptr);
 
 }  // namespace arenite::statics

@@ -42,22 +42,24 @@ bool has_stiffness(const BlockIn<3>& b) { return b.xx + b.yy + b.zz > 0; }
 }  // namespace
 
 template <int D>
-InverseDiagonalIn<D> inverse_diagonal(const Grid& grid, const BlockDiagonalIn<D, double>& diagonal,
-                                      const std::vector<std::uint8_t>& prescribed) {
+InverseDiagonalIn<D> inverse_diagonal(const Grid& grid, const std::function<BlockIn<D>(std::ptrdiff_t)>& diagonal,
+                                      const std::vector<std::uint8_t>& prescribed, const ThreadPool* pool) {
   InverseDiagonalIn<D> inverse{BlockDiagonalIn<D, float>(grid.padded_size())};
-  grid.each([&](std::ptrdiff_t i, int level) {
-    const BlockIn<D> own = diagonal.at(i);
+  std::vector<std::size_t> loose_at(static_cast<std::size_t>(grid.levels()), 0);
+  each_node(pool, grid, [&](std::ptrdiff_t i, int level) {
+    const BlockIn<D> own = diagonal(i);
     if (!has_stiffness(own)) return;
     bool loose = false;
     inverse.blocks.set(i, inverse_of(own, prescribed[static_cast<std::size_t>(level)], loose));
-    inverse.loose += loose;
+    loose_at[static_cast<std::size_t>(level)] += loose;
   });
+  for (const std::size_t count : loose_at) inverse.loose += count;
   return inverse;
 }
 
-template InverseDiagonalIn<2> inverse_diagonal(const Grid&, const BlockDiagonalIn<2, double>&,
-                                               const std::vector<std::uint8_t>&);
-template InverseDiagonalIn<3> inverse_diagonal(const Grid&, const BlockDiagonalIn<3, double>&,
-                                               const std::vector<std::uint8_t>&);
+template InverseDiagonalIn<2> inverse_diagonal(const Grid&, const std::function<Block(std::ptrdiff_t)>&,
+                                               const std::vector<std::uint8_t>&, const ThreadPool*);
+template InverseDiagonalIn<3> inverse_diagonal(const Grid&, const std::function<BlockIn<3>(std::ptrdiff_t)>&,
+                                               const std::vector<std::uint8_t>&, const ThreadPool*);
 
 }  // namespace arenite::statics

@@ -2,10 +2,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/pages.hpp"
 #include "solid/statics/grid.hpp"
+#include "solid/statics/pool.hpp"
 
 namespace arenite::statics {
 
@@ -70,13 +72,19 @@ template <int D> struct InverseDiagonalIn {
 };
 using InverseDiagonal = InverseDiagonalIn<2>;
 
-/// `prescribed` has one entry a level of the grid.
+/// Of the block that `diagonal` gives for a node; `prescribed` has one entry a level of the grid.
+template <int D>
+InverseDiagonalIn<D> inverse_diagonal(const Grid& grid, const std::function<BlockIn<D>(std::ptrdiff_t)>& diagonal,
+                                      const std::vector<std::uint8_t>& prescribed, const ThreadPool* pool = nullptr);
 template <int D>
 InverseDiagonalIn<D> inverse_diagonal(const Grid& grid, const BlockDiagonalIn<D, double>& diagonal,
-                                      const std::vector<std::uint8_t>& prescribed);
-extern template InverseDiagonalIn<2> inverse_diagonal(const Grid&, const BlockDiagonalIn<2, double>&,
-                                                      const std::vector<std::uint8_t>&);
-extern template InverseDiagonalIn<3> inverse_diagonal(const Grid&, const BlockDiagonalIn<3, double>&,
-                                                      const std::vector<std::uint8_t>&);
+                                      const std::vector<std::uint8_t>& prescribed) {
+  return inverse_diagonal<D>(
+      grid, std::function<BlockIn<D>(std::ptrdiff_t)>([&](std::ptrdiff_t i) { return diagonal.at(i); }), prescribed);
+}
+extern template InverseDiagonalIn<2> inverse_diagonal(const Grid&, const std::function<Block(std::ptrdiff_t)>&,
+                                                      const std::vector<std::uint8_t>&, const ThreadPool*);
+extern template InverseDiagonalIn<3> inverse_diagonal(const Grid&, const std::function<BlockIn<3>(std::ptrdiff_t)>&,
+                                                      const std::vector<std::uint8_t>&, const ThreadPool*);
 
 }  // namespace arenite::statics

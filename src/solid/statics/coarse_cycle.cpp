@@ -6,7 +6,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/definite.hpp"
 #include "core/joined_sets.hpp"
 #include "solid/statics/grid.hpp"
 
@@ -65,13 +64,10 @@ template <class Visit> void each_block(const BlockMatrix& m, const Visit& visit)
 }  // namespace
 
 template <int D>
-CoarseCycle<D>::CoarseCycle(BlockMatrix matrix, const std::vector<CoarsePlace>& places)
+CoarseCycle<D>::CoarseCycle(BlockMatrix matrix, const std::vector<CoarsePlace>& places, const ThreadPool* pool)
     : n_(static_cast<std::size_t>(matrix.columns())),
-      column_begin_(matrix.column_begin),
-      row_(matrix.row),
-      value_(matrix.value.begin(), matrix.value.end()) {
-  for (Vector* v : {&x_, &older_, &f_, &right_}) v->assign(D * n_, 0.0f);
-  invert_diagonal(matrix);
+      matrix_(matrix, pool) {
+  for (Field* v : {&x_, &older_, &f_, &right_}) v->assign(n_, Four{});
   set_steps();
   cut(matrix, places);
   BlockMatrix coarse = product(matrix);
@@ -80,32 +76,26 @@ CoarseCycle<D>::CoarseCycle(BlockMatrix matrix, const std::vector<CoarsePlace>& 
   load_.resize(static_cast<std::size_t>(D * functions_));
 }
 
-template <int D> void CoarseCycle<D>::invert_diagonal(const BlockMatrix& matrix) {
-  inverse_.resize(D * D * n_);
-  each_block(matrix, [&](std::int32_t r, std::int32_t c, const double* block) {
-    if (r != c) return;
-    std::array<double, D * D> own;
-    std::copy_n(block, D * D, own.begin());
-    const auto inverse = inverse_of_definite<D>(own);
-    std::transform(inverse.begin(), inverse.end(), &inverse_[static_cast<std::size_t>(D * D * c)],
-                   [](double value) { return static_cast<float>(value); });
-  });
-}
-
 template <int D> void CoarseCycle<D>::set_steps() {
   // The largest eigenvalue by the power method; it comes from below, so that something is added.
-  for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = static_cast<float>(std::cos(2.0 * static_cast<double>(k) + 1));
+  for (std::size_t k = 0; k < D * n_; ++k)
+    x_[k / D][k % D] = static_cast<float>(std::cos(2.0 * static_cast<double>(k) + 1));
+  const auto square = [](Four v) {
+    double sum = 0;
+    for (std::size_t a = 0; a < D; ++a) sum += static_cast<double>(v[a]) * static_cast<double>(v[a]);
+    return sum;
+  };
   double highest = 1;
   for (int round = 0; round < 25; ++round) {
-    apply(x_, f_);
-    precondition(f_, older_);
+    matrix_.apply(x_, f_);
     double before = 0, after = 0;
-    for (std::size_t k = 0; k < x_.size(); ++k) {
-      before += static_cast<double>(x_[k]) * static_cast<double>(x_[k]);
-      after += static_cast<double>(older_[k]) * static_cast<double>(older_[k]);
+    for (std::size_t k = 0; k < n_; ++k) {
+      older_[k] = matrix_.preconditioned(k, f_[k]);
+      before += square(x_[k]);
+      after += square(older_[k]);
     }
     highest = std::sqrt(after / before);
-    for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = older_[k] / static_cast<float>(highest);
+    for (std::size_t k = 0; k < n_; ++k) x_[k] = older_[k] / static_cast<float>(highest);
   }
   highest *= 1.2;
   steps_ = chebyshev_steps(degree, highest / 25, highest);
@@ -207,70 +197,43 @@ template <int D> BlockMatrix CoarseCycle<D>::product(const BlockMatrix& matrix) 
   return coarse;
 }
 
-template <int D> void CoarseCycle<D>::apply(const Vector& x, Vector& y) const {
-  std::fill(y.begin(), y.end(), 0.0f);
-  const float* block = value_.data();
-  for (std::size_t c = 0; c < n_; ++c) {
-    float own[D] = {}, at[D];
-    for (std::size_t a = 0; a < D; ++a) at[a] = x[D * c + a];
-    for (std::int32_t j = column_begin_[c]; j < column_begin_[c + 1]; ++j, block += D * D) {
-      const auto r = static_cast<std::size_t>(row_[j]);
-      float* const there = &y[D * r];
-      for (std::size_t s = 0; s < D; ++s)
-        for (std::size_t q = 0; q < D; ++q) {
-          there[q] += block[s * D + q] * at[s];
-          if (r != c) own[s] += block[s * D + q] * x[D * r + q];
-        }
-    }
-    for (std::size_t a = 0; a < D; ++a) y[D * c + a] += own[a];
-  }
-}
-
-template <int D> void CoarseCycle<D>::precondition(const Vector& r, Vector& z) const {
-  for (std::size_t k = 0; k < n_; ++k)
-    for (std::size_t a = 0; a < D; ++a) {
-      float sum = 0;
-      for (std::size_t b = 0; b < D; ++b) sum += inverse_[D * D * k + D * b + a] * r[D * k + b];
-      z[D * k + a] = sum;
-    }
-}
-
-template <int D> void CoarseCycle<D>::smooth(const Vector& b, bool from_zero) {
-  if (from_zero) std::fill(x_.begin(), x_.end(), 0.0f);
+template <int D> void CoarseCycle<D>::smooth(const Field& b, bool from_zero) {
+  if (from_zero) std::fill(x_.begin(), x_.end(), Four{});
   older_ = x_;
-  Vector z(x_.size());
   for (std::size_t s = 0; s < steps_.size(); ++s) {
-    if (s == 0 && from_zero) std::fill(f_.begin(), f_.end(), 0.0f);
-    else apply(x_, f_);
-    for (std::size_t k = 0; k < f_.size(); ++k) f_[k] = b[k] - f_[k];
-    precondition(f_, z);
-    for (std::size_t k = 0; k < x_.size(); ++k)
-      older_[k] = x_[k] + steps_[s].keep * (x_[k] - older_[k]) + steps_[s].add * z[k];
+    const bool rests = s == 0 && from_zero;
+    if (!rests) matrix_.apply(x_, f_);
+    const auto [keep, add] = steps_[s];
+    for (std::size_t k = 0; k < n_; ++k) {
+      const Four z = matrix_.preconditioned(k, rests ? b[k] : b[k] - f_[k]);
+      older_[k] = x_[k] + keep * (x_[k] - older_[k]) + add * z;
+    }
     std::swap(x_, older_);
   }
 }
 
-template <int D> void CoarseCycle<D>::correct(const Vector& b) {
-  apply(x_, f_);
+template <int D> void CoarseCycle<D>::correct(const Field& b) {
+  matrix_.apply(x_, f_);
   std::fill(load_.begin(), load_.end(), 0.0);
-  for (std::size_t k = 0; k < n_; ++k)
+  for (std::size_t k = 0; k < n_; ++k) {
+    const Four left = b[k] - f_[k];
     for (std::size_t c = 0; c < weight_[k].size(); ++c)
       for (std::size_t a = 0; a < D; ++a)
-        load_[static_cast<std::size_t>(D * function_[k][c]) + a] +=
-            static_cast<double>(weight_[k][c] * (b[D * k + a] - f_[D * k + a]));
+        load_[static_cast<std::size_t>(D * function_[k][c]) + a] += static_cast<double>(weight_[k][c] * left[a]);
+  }
   factor_->solve(load_);
   for (std::size_t k = 0; k < n_; ++k)
     for (std::size_t c = 0; c < weight_[k].size(); ++c)
       for (std::size_t a = 0; a < D; ++a)
-        x_[D * k + a] += weight_[k][c] * static_cast<float>(load_[static_cast<std::size_t>(D * function_[k][c]) + a]);
+        x_[k][a] += weight_[k][c] * static_cast<float>(load_[static_cast<std::size_t>(D * function_[k][c]) + a]);
 }
 
 template <int D> void CoarseCycle<D>::solve(std::vector<double>& b) {
-  right_.assign(b.begin(), b.end());
+  for (std::size_t k = 0; k < D * n_; ++k) right_[k / D][k % D] = static_cast<float>(b[k]);
   smooth(right_, true);
   correct(right_);
   smooth(right_, false);
-  b.assign(x_.begin(), x_.end());
+  for (std::size_t k = 0; k < D * n_; ++k) b[k] = static_cast<double>(x_[k / D][k % D]);
 }
 
 template class CoarseCycle<2>;

@@ -6,6 +6,7 @@
 
 #include "solid/statics/chebyshev.hpp"
 #include "solid/statics/cholesky.hpp"
+#include "solid/statics/coarse_matrix.hpp"
 
 namespace arenite::statics {
 
@@ -21,7 +22,7 @@ struct CoarsePlace {
 /// is told apart. Symmetric and positive.
 template <int D> class CoarseCycle {
  public:
-  CoarseCycle(BlockMatrix matrix, const std::vector<CoarsePlace>& places);
+  CoarseCycle(BlockMatrix matrix, const std::vector<CoarsePlace>& places, const ThreadPool* pool = nullptr);
 
   /// False where a pivot of the last matrix was not positive.
   bool positive() const { return factor_->positive(); }
@@ -29,26 +30,22 @@ template <int D> class CoarseCycle {
   void solve(std::vector<double>& b);
 
  private:
-  using Vector = std::vector<float>;
-  void invert_diagonal(const BlockMatrix& matrix);
+  using Field = std::vector<Four>;
   void set_steps();
   void cut(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places);
   /// The product with the functions from both sides.
   BlockMatrix product(const BlockMatrix& matrix) const;
-  void apply(const Vector& x, Vector& y) const;
-  void precondition(const Vector& r, Vector& z) const;
-  void smooth(const Vector& b, bool from_zero);
-  void correct(const Vector& b);
+  void smooth(const Field& b, bool from_zero);
+  void correct(const Field& b);
 
   std::size_t n_ = 0;
-  std::vector<std::int32_t> column_begin_, row_;
-  Vector value_, inverse_;  ///< of the matrix, D^2 a block, and of its diagonal blocks
+  CoarseMatrix<D> matrix_;
   std::vector<ChebyshevStep> steps_;
   std::vector<std::array<std::int32_t, 1 << D>> function_;  ///< of every coarse node: those of its box
   std::vector<std::array<float, 1 << D>> weight_;           ///< of each there
   std::int32_t functions_ = 0;
   std::optional<Cholesky> factor_;
-  Vector x_, older_, f_, right_;
+  Field x_, older_, f_, right_;
   std::vector<double> load_;
 };
 extern template class CoarseCycle<2>;

@@ -39,9 +39,10 @@ constexpr std::int32_t most_direct(int dimension) {
 
 template <int D>
 CoarseSpaceIn<D>::CoarseSpaceIn(const Grid& grid, Aggregates aggregates, const GalerkinSums<D>& sums,
-                                const std::vector<std::uint8_t>& prescribed)
+                                const std::vector<std::uint8_t>& prescribed, const ThreadPool* pool)
     : grid_(grid),
-      aggregates_(std::move(aggregates)) {
+      aggregates_(std::move(aggregates)),
+      pool_(pool) {
   number_corners(sums);
   list_runs(prescribed);
   factorise(sums);
@@ -80,7 +81,7 @@ template <int D> BlockMatrix CoarseSpaceIn<D>::stiffened(const GalerkinSums<D>& 
 template <int D> void CoarseSpaceIn<D>::factorise(const GalerkinSums<D>& sums) {
   // A repair works the sums out anew: kept, the matrix would lie beside its factor when most memory is held.
   for (;; ++repairs_) {
-    if (nodes_ > most_direct(D)) cycle_.emplace(stiffened(sums), places());
+    if (nodes_ > most_direct(D)) cycle_.emplace(stiffened(sums), places(), pool_);
     else factor_.emplace(stiffened(sums));
     if ((cycle_ ? cycle_->positive() : factor_->positive()) || repairs_ == 3) break;
   }
@@ -180,7 +181,7 @@ template <int D> double CoarseSpaceIn<D>::assemble(const GalerkinSums<D>& sums, 
 
 template <int D> void CoarseSpaceIn<D>::list_runs(const std::vector<std::uint8_t>& prescribed) {
   const int side = aggregates_.side;
-  for (int z = 0; z < grid_.depth; ++z)
+  for (int z = 0; z < grid_.depth; ++z) {
     for (int y = 0; y < grid_.height; ++y)
       for (int x = 0; x < grid_.width;) {
         const std::ptrdiff_t i = grid_.index(x, y, z);
@@ -196,11 +197,13 @@ template <int D> void CoarseSpaceIn<D>::list_runs(const std::vector<std::uint8_t
         }
         x += length;
       }
+    if ((z + 1) % side == 0 || z + 1 == grid_.depth) layer_begin_.push_back(runs_.size());
+  }
 }
 
-template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, PointersIn<D, float> z) {
-  std::fill(moments_.begin(), moments_.end(), 0.0f);
-  for (const Run& run : runs_) {
+template <int D> void CoarseSpaceIn<D>::take_moments(std::size_t layer, PointersIn<D, const float> r) {
+  for (std::size_t n = layer_begin_[layer]; n < layer_begin_[layer + 1]; ++n) {
+    const Run& run = runs_[n];
     const auto from = static_cast<float>(run.x);
     const auto monomials = run.monomials();
     const float* at[D];
@@ -225,6 +228,12 @@ template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, Po
       }
     }
   }
+}
+
+template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, PointersIn<D, float> z) {
+  std::fill(moments_.begin(), moments_.end(), 0.0f);
+  const std::size_t layers = layer_begin_.size() - 1;
+  for_each(pool_, layers, [&](std::size_t layer) { take_moments(layer, r); });
   std::fill(load_.begin(), load_.end(), 0.0);
   const double h = 1.0 / aggregates_.side;
   const auto each_part = [&](const auto& visit) {
@@ -245,7 +254,12 @@ template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, Po
     for (int a = 0; a < corners<D>; ++a) u[static_cast<std::size_t>(a)] = load(p, a, c);
     to_polynomial(u, h, m);
   });
-  for (const Run& run : runs_) {
+  for_each(pool_, layers, [&](std::size_t layer) { add_answer(layer, z); });
+}
+
+template <int D> void CoarseSpaceIn<D>::add_answer(std::size_t layer, PointersIn<D, float> z) const {
+  for (std::size_t n = layer_begin_[layer]; n < layer_begin_[layer + 1]; ++n) {
+    const Run& run = runs_[n];
     const auto from = static_cast<float>(run.x);
     const auto monomials = run.monomials();
     const float* m = &moments_[D * moments * static_cast<std::size_t>(run.aggregate)];

@@ -10,6 +10,7 @@
 #include "solid/statics/couplings.hpp"
 #include "solid/statics/grid.hpp"
 #include "solid/statics/hats.hpp"
+#include "solid/statics/pool.hpp"
 
 namespace arenite::statics {
 
@@ -19,7 +20,7 @@ namespace arenite::statics {
 template <int D> class CoarseSpaceIn {
  public:
   CoarseSpaceIn(const Grid& grid, Aggregates aggregates, const GalerkinSums<D>& sums,
-                const std::vector<std::uint8_t>& prescribed);
+                const std::vector<std::uint8_t>& prescribed, const ThreadPool* pool = nullptr);
 
   /// z += P (P^T A P)^-1 P^T r.
   void correct(PointersIn<D, const float> r, PointersIn<D, float> z);
@@ -54,6 +55,9 @@ template <int D> class CoarseSpaceIn {
   void factorise(const GalerkinSums<D>& sums);
   std::vector<CoarsePlace> places() const;
   void solve();
+  /// Adds the runs of a layer to the moments of its aggregates, and the answer of these to the runs.
+  void take_moments(std::size_t layer, PointersIn<D, const float> r);
+  void add_answer(std::size_t layer, PointersIn<D, float> z) const;
   void list_runs(const std::vector<std::uint8_t>& prescribed);
   std::int32_t corner(std::int32_t aggregate, int a) const {
     return corner_[static_cast<std::size_t>(corners<D> * aggregate + a)];
@@ -64,6 +68,8 @@ template <int D> class CoarseSpaceIn {
   std::int32_t nodes_ = 0;
   std::vector<std::int32_t> corner_;  ///< coarse node of corner a of aggregate p at 2^D p + a
   std::vector<Run> runs_;
+  std::vector<std::size_t> layer_begin_{0};  ///< the first run of every layer of cells, and the end
+  const ThreadPool* pool_;
   std::optional<Cholesky> factor_;
   std::optional<CoarseCycle<D>> cycle_;  ///< instead, where the factor would be large
   std::vector<double> load_;             ///< right side and solution, D a coarse node

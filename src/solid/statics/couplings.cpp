@@ -19,11 +19,20 @@ CouplingSumIn<D>::CouplingSumIn(std::size_t aggregates, bool with_selves)
 
 template <int D> CouplingIn<D>& CouplingSumIn<D>::between(std::int32_t p, std::int32_t q) {
   for (std::int32_t c = latest_[p]; c >= 0; c = next_[c])
-    if (cross_[c].q == q) return cross_[c];
+    if (other_[c] == q) return cross_[c];
+  other_.push_back(q);
   next_.push_back(latest_[p]);
   latest_[p] = static_cast<std::int32_t>(cross_.size());
   cross_.push_back({p, q, {}});
   return cross_.back();
+}
+
+template <int D> void CouplingSumIn<D>::clear() {
+  for (auto& self : self_) self.block = {};
+  for (const auto& cross : cross_) latest_[cross.p] = -1;
+  cross_.clear();
+  other_.clear();
+  next_.clear();
 }
 
 template <int D> std::vector<CouplingIn<D>> CouplingSumIn<D>::taken() {

@@ -37,11 +37,14 @@ template <int D> class CouplingSumIn {
   std::vector<CouplingIn<D>>& crosses() { return cross_; }
   /// Of p with q, in this order; added where there is none.
   CouplingIn<D>& between(std::int32_t p, std::int32_t q);
+  /// Empty as at first, with its memory.
+  void clear();
   /// All: of every aggregate with itself first, in order of aggregates.
   std::vector<CouplingIn<D>> taken();
 
  private:
   std::vector<CouplingIn<D>> self_, cross_;
+  std::vector<std::int32_t> other_;          ///< q of each of cross_
   std::vector<std::int32_t> latest_, next_;  ///< of each aggregate's couplings, the newest; they form a chain
 };
 using CouplingSum = CouplingSumIn<2>;

@@ -7,6 +7,7 @@
 #include "solid/statics/block_diagonal.hpp"
 #include "solid/statics/couplings.hpp"
 #include "solid/statics/grid.hpp"
+#include "solid/statics/pool.hpp"
 
 namespace arenite::statics {
 
@@ -40,6 +41,12 @@ template <class D> struct KernelsOf {
   void (*direct)(const D&, float beta, To<const float> z, To<float> p);
 };
 
+/// What works on a sample beside the caller; of those that may have something.
+template <class D> const ThreadPool* pool_of(const D& sample) {
+  if constexpr (requires { sample.pool; }) return sample.pool;
+  else return nullptr;
+}
+
 /// How often and on which part of the spectrum of D^-1 K, D the block diagonal, the smoother works. No eigenvalue lies
 /// above the highest: an estimate from below would cost conjugate gradients their convergence.
 struct Smoothing {
@@ -52,9 +59,11 @@ struct Smoothing {
 /// functions of it.
 ///  - kernels_of: the passes over all nodes, for this machine.
 ///  - block_diagonal: the stiffness of every node against its neighbours held fast, in double.
+///  - blocks_of: the same of one node at a time, where couplings ask for none.
 ///  - dimension: of its displacements and of its grid.
 ///  - couplings: the Galerkin sums of the coarse space, in double: all, or GalerkinSums.
 ///  - smoothing_of: the steps of the smoother.
+///  - pool, where there may be threads: passes and set-up are worked on by them.
 ///  - rests_when_strained: whether uniform strain of one material leaves no force on any node that is free.
 /// What belongs to one grain and hangs together (`Aggregates`), and the stress that a field leaves, are up to the
 /// discretisation, too, but the solver does not ask for them.

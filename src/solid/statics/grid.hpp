@@ -48,6 +48,12 @@ struct Grid {
       for (int y = 0; y < height; ++y)
         for (std::ptrdiff_t i = row(y, z), end = i + width; i < end; ++i) visit(i, in_space() ? z : y);
   }
+  /// Those of one level.
+  template <class Visit> void each_at(int level, const Visit& visit) const {
+    const int first = in_space() ? 0 : level, end = in_space() ? height : level + 1;
+    for (int y = first; y < end; ++y)
+      for (std::ptrdiff_t i = row(y, in_space() ? level : 0), last = i + width; i < last; ++i) visit(i, level);
+  }
   std::size_t padded_size() const {
     return static_cast<std::size_t>((in_space() ? (depth + 2 * margin) * layer : (height + 2 * margin) * stride) +
                                     3 * vector);

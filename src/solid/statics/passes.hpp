@@ -6,6 +6,7 @@
 #include "core/lanes.hpp"
 #include "solid/statics/discretisation.hpp"
 #include "solid/statics/machine.hpp"
+#include "solid/statics/pool.hpp"
 
 namespace arenite::statics {
 
@@ -27,11 +28,11 @@ namespace {
 
 /// visit(0), visit(1), ..: of every component, or from the last one down.
 template <int D, class Visit> ARENITE_INLINE void by_component(const Visit& visit) {
-  [&]<int... c>(std::integer_sequence<int, c...>) { (visit(c), ...); }
+  [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) { (visit(c), ...); }
   (std::make_integer_sequence<int, D>());
 }
 template <int D, class Visit> ARENITE_INLINE void by_component_down(const Visit& visit) {
-  [&]<int... c>(std::integer_sequence<int, c...>) { (visit(D - 1 - c), ...); }
+  [&]<int... c>(std::integer_sequence<int, c...>) __attribute__((always_inline)) { (visit(D - 1 - c), ...); }
   (std::make_integer_sequence<int, D>());
 }
 
@@ -73,7 +74,8 @@ class Sum {
 
 /// The passes of KernelsOf for one machine. `Sweep` is a discretisation's own: with `At<V>(sample, u).sweep(level,
 /// then)` it calls `then(i, own, force)` for every vector of nodes from i on, rows upwards, and `level(y)` before each
-/// row.
+/// row. One that has `blocks(sample)` does so in blocks of rows, `sweep(block, level, then)`, by any thread each; sums
+/// are those of the blocks in their order.
 template <class Sweep> struct Passes {
   using D = typename Sweep::Of;
   static constexpr int dimension = D::dimension;
@@ -117,100 +119,143 @@ template <class Sweep> struct Passes {
         [&](int c) { fma(b, step[c], fma(a, own[c] - V::load(older[c] + i), own[c])).store(older[c] + i); });
   }
 
+  static constexpr int most_parts = 1024;
+  static constexpr bool is_in_blocks = requires(const D& sample) { Sweep::blocks(sample); };
+
+  /// visit(i, own, force, open, sum) for all vectors of nodes, with what is open at their level unless nothing is
+  /// prescribed; returns the sum. In blocks, nodes that nothing touches may be left out.
+  template <class V, bool everywhere = true, class Visit, class T = typename V::Scalar>
+  [[gnu::always_inline]] static double sweep(const D& sample, const std::uint8_t* prescribed, To<const T> u,
+                                             const Visit& visit) {
+    const auto through = [&](auto&& walk) __attribute__((always_inline)) {
+      Sum sum;
+      Vector<V> open{};
+      walk(
+          [&](int level) {
+            if (prescribed) open = freedom<V>(prescribed[level]);
+          },
+          [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V> g)
+              __attribute__((always_inline)) { visit(i, own, g, open, sum); });
+      return sum.value();
+    };
+    if constexpr (is_in_blocks)
+      return summed(sample, Sweep::blocks(sample), [&](std::size_t block) {
+        return through([&](const auto& level, const auto& then) __attribute__((always_inline)) {
+          At<V>(sample, u).template sweep<everywhere>(static_cast<int>(block), level, then);
+        });
+      });
+    else
+      return through([&](const auto& level, const auto& then)
+                         __attribute__((always_inline)) { At<V>(sample, u).sweep(level, then); });
+  }
+  /// The sum of what parts give, in their order.
+  template <class Part> static double summed(const D& sample, int count, const Part& part) {
+    double each[most_parts], sum = 0;
+    for_each(sample.pool, static_cast<std::size_t>(count), [&](std::size_t k) { each[k] = part(k); });
+    for (int k = 0; k < count; ++k) sum += each[k];
+    return sum;
+  }
+
   template <class V, class T = typename V::Scalar>
   static double force(const D& sample, const std::uint8_t* prescribed, To<const T> u, To<T> f) {
-    Sum sum;
-    Vector<V> open{};
-    At<V>(sample, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
-                           [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V> g) {
-                             by_component<dimension>([&](int c) {
-                               g[c] = open[c] * g[c];
-                               __builtin_prefetch(f[c] + i + sample.grid.stride, 1);
-                               g[c].store(f[c] + i);
-                             });
-                             sum.add(own, g);
-                           });
-    return sum.value();
+    return sweep<V>(sample, prescribed, u,
+                    [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V>& g, const Vector<V>& open, Sum& sum) {
+                      by_component<dimension>([&](int c) {
+                        g[c] = open[c] * g[c];
+                        __builtin_prefetch(f[c] + i + sample.grid.stride, 1);
+                        g[c].store(f[c] + i);
+                      });
+                      sum.add(own, g);
+                    });
   }
 
   static double imbalance(const D& sample, const std::uint8_t* prescribed, To<const double> u, To<float> r) {
-    Sum sum;
-    Vector<Doubles> open{};
-    At<Doubles>(sample, u).sweep([&](int y) { open = freedom<Doubles>(prescribed[y]); },
-                                 [&](std::ptrdiff_t i, const Vector<Doubles>&, Vector<Doubles> g) {
-                                   by_component<dimension>([&](int c) {
-                                     g[c] = open[c] * g[c];
-                                     g[c].store(r[c] + i);
-                                   });
-                                   sum.add(g, g);
-                                 });
-    return sum.value();
+    using V = Doubles;
+    return sweep<V>(sample, prescribed, u,
+                    [&](std::ptrdiff_t i, const Vector<V>&, Vector<V>& g, const Vector<V>& open, Sum& sum) {
+                      by_component<dimension>([&](int c) {
+                        g[c] = open[c] * g[c];
+                        g[c].store(r[c] + i);
+                      });
+                      sum.add(g, g);
+                    });
   }
 
   static void chebyshev(const D& sample, To<const float> z, To<float> older, To<const float> r, Inverse inverse,
                         float a, float b) {
     using V = Floats;
     const V va = V(a), vb = V(b);
-    At<V>(sample, z).sweep([](int) {},
-                           [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V> g) {
-                             by_component<dimension>([&](int c) { g[c] = V::load(r[c] + i) + g[c]; });
-                             put(older, i, own, va, vb, solved(inverse, i, g));
-                           });
+    // What nothing touches has no force and rests at zero.
+    sweep<V, false>(sample, nullptr, z,
+                    [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V>& g, const Vector<V>&, Sum&) {
+                      by_component<dimension>([&](int c) { g[c] = V::load(r[c] + i) + g[c]; });
+                      put(older, i, own, va, vb, solved(inverse, i, g));
+                    });
   }
 
   static void residual(const D& sample, To<const float> z, To<const float> r, To<float> out) {
     using V = Floats;
-    At<V>(sample, z).sweep([](int) {},
-                           [&](std::ptrdiff_t i, const Vector<V>&, const Vector<V>& g) {
-                             by_component<dimension>([&](int c) { (V::load(r[c] + i) + g[c]).store(out[c] + i); });
-                           });
+    sweep<V>(sample, nullptr, z, [&](std::ptrdiff_t i, const Vector<V>&, Vector<V>& g, const Vector<V>&, Sum&) {
+      by_component<dimension>([&](int c) { (V::load(r[c] + i) + g[c]).store(out[c] + i); });
+    });
   }
 
   static double stormer(const D& sample, const std::uint8_t* prescribed, To<const double> u, To<double> older, double a,
                         double b) {
     using V = Doubles;
     const V va = V(a), vb = V(b);
-    Sum sum;
-    Vector<V> open{};
-    At<V>(sample, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
-                           [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V> g) {
-                             by_component<dimension>([&](int c) {
-                               g[c] = open[c] * g[c];
-                               __builtin_prefetch(older[c] + i + sample.grid.stride, 1);
-                             });
-                             sum.add(g, g);
-                             put(older, i, own, va, vb, g);
-                           });
-    return sum.value();
+    return sweep<V>(sample, prescribed, u,
+                    [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V>& g, const Vector<V>& open, Sum& sum) {
+                      by_component<dimension>([&](int c) {
+                        g[c] = open[c] * g[c];
+                        __builtin_prefetch(older[c] + i + sample.grid.stride, 1);
+                      });
+                      sum.add(g, g);
+                      put(older, i, own, va, vb, g);
+                    });
   }
 
   static double relax(const D& sample, To<const double> u, To<double> older, Inverse inverse, double a, double b) {
     using V = Doubles;
     const V va = V(a), vb = V(b);
-    Sum sum;
-    At<V>(sample, u).sweep(
-        [](int) {},
-        [&](std::ptrdiff_t i, const Vector<V>& own, const Vector<V>& g) {
-          by_component<dimension>([&](int c) { __builtin_prefetch(older[c] + i + sample.grid.stride, 1); });
-          const Vector<V> step = solved(inverse, i, g);
-          sum.add(step, g);
-          put(older, i, own, va, vb, step);
-        });
-    return sum.value();
+    return sweep<V>(sample, nullptr, u,
+                    [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V>& g, const Vector<V>&, Sum& sum) {
+                      by_component<dimension>([&](int c) { __builtin_prefetch(older[c] + i + sample.grid.stride, 1); });
+                      const Vector<V> step = solved(inverse, i, g);
+                      sum.add(step, g);
+                      put(older, i, own, va, vb, step);
+                    });
   }
 
-  /// Every vector of nodes of a grid, pads between the rows included: these hold zeros and stay so.
-  template <class Visit> [[gnu::always_inline]] static void each_vector(const Grid& grid, const Visit& visit) {
-    const std::ptrdiff_t end = grid.row(grid.height - 1, grid.depth - 1) + grid.stride;
-    for (std::ptrdiff_t i = grid.row(0); i < end; i += Floats::lanes) visit(i);
+  /// visit(i, sum) for every vector of nodes, pads between the rows included: these hold zeros and stay so. Returns the
+  /// sum.
+  template <class Visit> [[gnu::always_inline]] static double each_vector(const D& sample, const Visit& visit) {
+    const Grid& grid = sample.grid;
+    const auto between = [&](std::ptrdiff_t i, std::ptrdiff_t end) __attribute__((always_inline)) {
+      Sum sum;
+      for (; i < end; i += Floats::lanes) visit(i, sum);
+      return sum.value();
+    };
+    const std::ptrdiff_t begin = grid.row(0), end = grid.row(grid.height - 1, grid.depth - 1) + grid.stride;
+    if constexpr (is_in_blocks) {
+      constexpr int count = 64;
+      const auto cut = [&](std::ptrdiff_t k) {
+        return begin + (end - begin) * k / count / Grid::vector * Grid::vector;
+      };
+      return summed(sample, count, [&](std::size_t k) {
+        const auto block = static_cast<std::ptrdiff_t>(k);
+        return between(cut(block), block + 1 == count ? end : cut(block + 1));
+      });
+    } else {
+      return between(begin, end);
+    }
   }
 
   static double conjugate_step(const D& sample, float alpha, To<const float> p, To<const float> f, To<double> u,
                                To<float> r, Inverse inverse, float b, To<float> z) {
     const Floats step = Floats(alpha), vb = Floats(b);
     const Doubles long_step = Doubles(static_cast<double>(alpha));
-    Sum sum;
-    each_vector(sample.grid, [&](std::ptrdiff_t i) {
+    return each_vector(sample, [&](std::ptrdiff_t i, Sum& sum) {
       Vector<Floats> now{};
       by_component<dimension>([&](int c) {
         for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes)
@@ -222,18 +267,15 @@ template <class Sweep> struct Passes {
       const Vector<Floats> first = solved(inverse, i, now);
       by_component<dimension>([&](int c) { (vb * first[c]).store(z[c] + i); });
     });
-    return sum.value();
   }
 
   static double dot(const D& sample, To<const float> a, To<const float> b) {
-    Sum sum;
-    each_vector(sample.grid, [&](std::ptrdiff_t i) { sum.add(load<Floats>(a, i), load<Floats>(b, i)); });
-    return sum.value();
+    return each_vector(sample, [&](std::ptrdiff_t i, Sum& sum) { sum.add(load<Floats>(a, i), load<Floats>(b, i)); });
   }
 
   static void direct(const D& sample, float beta, To<const float> z, To<float> p) {
     const Floats keep = Floats(beta);
-    each_vector(sample.grid, [&](std::ptrdiff_t i) {
+    each_vector(sample, [&](std::ptrdiff_t i, Sum&) {
       by_component<dimension>(
           [&](int c) { fma(keep, Floats::load(p[c] + i), Floats::load(z[c] + i)).store(p[c] + i); });
     });

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -32,17 +33,30 @@ template <Discretisation D> struct Preconditioner {
 
   Preconditioner(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> rows, Diagonal diagonal)
       : prescribed(std::move(rows)),
-        inverse(inverse_diagonal(sample.grid, diagonal, prescribed)),
+        inverse(inverse_of(sample, diagonal, prescribed)),
         coarse(coarse_space(sample, std::move(aggregates), std::move(diagonal), prescribed)) {
     for (Floats* field : {&r, &p, &z, &spare}) *field = Floats(sample.grid.padded_size());
     const auto [degree, lowest, highest] = smoothing_of(sample);
     coefficient = chebyshev_steps(degree, lowest, highest);
   }
 
+  /// What works its blocks out one by one needs no list of them in double.
+  static constexpr bool has_blocks = requires(const D& sample) { blocks_of(sample); };
+  static Diagonal diagonal_of(const D& sample) {
+    if constexpr (has_blocks) return Diagonal(0);
+    else return block_diagonal(sample);
+  }
+  static InverseDiagonalIn<dimension> inverse_of(const D& sample, const Diagonal& diagonal,
+                                                 const std::vector<std::uint8_t>& levels) {
+    std::function<BlockIn<dimension>(std::ptrdiff_t)> block;
+    if constexpr (has_blocks) block = blocks_of(sample);
+    else block = [&](std::ptrdiff_t i) { return diagonal.at(i); };
+    return inverse_diagonal<dimension>(sample.grid, block, levels, pool_of(sample));
+  }
   static CoarseSpaceIn<dimension> coarse_space(const D& sample, Aggregates aggregates, Diagonal diagonal,
                                                const std::vector<std::uint8_t>& levels) {
     const GalerkinSums<dimension> sums = couplings(sample, aggregates, std::move(diagonal), levels);
-    return {sample.grid, std::move(aggregates), sums, levels};
+    return {sample.grid, std::move(aggregates), sums, levels, pool_of(sample)};
   }
 
   /// Nothing holds a periodic sample against a translation, which would grow out of rounding.
@@ -105,7 +119,7 @@ template <Discretisation D> class StaticSolver {
   /// `aggregates` are those that carry, `prescribed` has one entry a level.
   StaticSolver(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> prescribed)
       : state_(std::make_unique<Preconditioner<D>>(sample, std::move(aggregates), std::move(prescribed),
-                                                   block_diagonal(sample))) {}
+                                                   Preconditioner<D>::diagonal_of(sample))) {}
 
   /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals
   /// are relative to that of uniform strain (residual_reference), in a periodic sample to `body`: a force on every

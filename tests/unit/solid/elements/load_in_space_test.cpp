@@ -80,6 +80,26 @@ TEST(VoxelLoad, SeveredAndEmptySamplesSaySo) {
   EXPECT_EQ(load(make_voxel_map(3, 3, 3, 1), with(alike({1, 0.3}))).report.ending, Ending::empty);
 }
 
+/// So small cells that there are three levels.
+TEST(VoxelLoad, TheFieldHasTheSameBitsOnAnyNumberOfThreads) {
+  const VoxelMap map = test::cemented_spheres(44, false);
+  LoadOptions options;
+  options.material = test::two_phases();
+  options.cell = 4;
+  const auto alone = load(map, options);
+  ASSERT_EQ(alone.report.ending, statics::Ending::solved);
+  ASSERT_GT(alone.report.coarse_nodes, 2000u);
+  for (const int threads : {2, 3}) {
+    options.threads = threads;
+    const auto together = load(map, options);
+    EXPECT_EQ(together.report.history, alone.report.history) << threads;
+    EXPECT_EQ(together.field.ux, alone.field.ux) << threads;
+    EXPECT_EQ(together.field.uz, alone.field.uz) << threads;
+    EXPECT_EQ(together.field.zz, alone.field.zz) << threads;
+    EXPECT_EQ(together.field.xy, alone.field.xy) << threads;
+  }
+}
+
 TEST(VoxelLoad, OneLayerIsRefusedAndTwoAreNot) {
   EXPECT_NE(test::complaint([] { load(solid(4, 4, 1), with(alike({1, 0}))); }).find("two layers"), std::string::npos);
   for (const VoxelMap& map : {solid(1, 1, 2), solid(1, 8, 4), solid(8, 1, 4)})
