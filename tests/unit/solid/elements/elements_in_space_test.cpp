@@ -234,7 +234,9 @@ VoxelMap mottled_spheres() {
   for (std::size_t k = 0; k < map.size(); ++k) {
     if (random.uniform(0, 1) > 0.1) continue;
     map.phase[k] = static_cast<Phase>(static_cast<int>(random.uniform(0, 3)));
-    if (map.phase[k] == Phase::particle) map.grain[k] = static_cast<int>(random.uniform(0, 1) < 0.5);
+    map.grain[k] = map.phase[k] == Phase::particle
+                       ? static_cast<int>(random.uniform(0, static_cast<double>(map.grain_class.size())))
+                       : -1;
   }
   return map;
 }
