@@ -127,7 +127,7 @@ def manual_of(command):
 
 
 def test_options_of_a_load_are_keys_of_a_recipe_but_those_of_the_command():
-    assert set(help_of("load")) - set(options["load"][1]) == {"--json", "--out", "--quiet"}
+    assert set(help_of("load")) - set(options["load"][1]) == {"--json", "--out", "--quiet", "--threads"}
 
 
 @pytest.mark.parametrize("command", options)
