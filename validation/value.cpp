@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "statistics/measured.hpp"
+#include "statistics/written.hpp"
 
 namespace arenite::validation {
 namespace {
@@ -66,8 +67,7 @@ std::string text_of(const Value& v) {
   if (!std::isfinite(v.value)) return "not known";
   if (std::abs(v.value) < rounding && !(v.error >= rounding)) return "0";
   if (!(v.error >= std::max(rounding, 1e-9 * std::abs(v.value)))) return fmt::format("{:.4g}", v.value);
-  double decimals = 1 - std::floor(std::log10(v.error));
-  if (std::round(v.error * std::pow(10, decimals)) >= 100) decimals -= 1;
+  const int decimals = statistics::decimals_of(v.error);
   return rounded(v.value, decimals) + " +- " + rounded(v.error, decimals);
 }
 

@@ -9,18 +9,12 @@
 
 #include "core/text.hpp"
 #include "statistics/numbers.hpp"
+#include "statistics/written.hpp"
 
 namespace arenite {
 namespace {
 
 constexpr std::size_t most_items = 4, longest_text = 80;
-
-/// Unit in which stresses of this size are read easily, and pascals over it.
-std::pair<const char*, double> stress_unit(double size) {
-  if (size >= 1e5) return {"MPa", 1e-6};
-  if (size >= 1e2) return {"kPa", 1e-3};
-  return {"Pa", 1};
-}
 
 double largest_of(const Numbers& value) {
   if (value.is_number()) return std::abs(value.get<double>());
@@ -57,10 +51,12 @@ std::string value_text(const Numbers& node, const std::string& unit) {
   }
   const bool is_estimate = node.is_tree() && node.contains("value");
   const Numbers& value = is_estimate ? node["value"] : node;
-  const auto [prefixed, scale] = unit == "Pa" ? stress_unit(largest_of(value)) : std::pair{unit.c_str(), 1.0};
+  const auto [factor, prefixed] =
+      unit == "Pa" ? statistics::scale_of(largest_of(value), unit) : statistics::Scale{1, unit};
+  const double scale = 1 / factor;
   std::string text = number_text(value, is_estimate ? node.at_path("/error") : nullptr, scale);
   if (text.empty()) return text;
-  if (*prefixed) text += fmt::format(" {}", prefixed);
+  if (!prefixed.empty()) text += fmt::format(" {}", prefixed);
   if (is_estimate && node.contains("low_95") && node["low_95"].is_number())
     text += fmt::format(" (95 %: {:.4g} to {:.4g})", scale * node["low_95"].get<double>(),
                         scale * node["high_95"].get<double>());
@@ -135,7 +131,7 @@ std::string statistics::with_error(const Estimate& e, double scale) {
   if (!std::isfinite(error)) return fmt::format("{:.4g}", value);
   if (error <= 1e-12 * std::abs(value)) return fmt::format("{:.6g}", value);
   if (error < 1e-4 || error >= 1e5 || std::abs(value) >= 1e6) return fmt::format("{:.4g} +- {:.2g}", value, error);
-  const int places = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+  const int places = std::max(0, decimals_of(error));
   return fmt::format("{:.{}f} +- {:.{}f}", value, places, error, places);
 }
 

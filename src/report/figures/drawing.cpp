@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 
 #include "core/mapped.hpp"
@@ -17,44 +16,7 @@ std::string with_true_minus(std::string text) {
   return text;
 }
 
-std::string raised(int exponent) {
-  static const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
-                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-  std::string text;
-  for (const char c : fmt::format("{}", exponent)) text += c == '-' ? "\u207b" : digits[c - '0'];
-  return text;
-}
-
-/// "kg/m^3" as kg/m\u00b3.
-std::string typeset(const std::string& unit) {
-  if (unit == "1") return "";
-  if (unit == "deg") return "\u00b0";
-  std::string text;
-  for (std::size_t k = 0; k < unit.size(); ++k) {
-    if (unit[k] != '^' || k + 1 >= unit.size()) {
-      text += unit[k];
-      continue;
-    }
-    std::size_t used = 0;
-    text += raised(std::stoi(unit.substr(k + 1), &used));
-    k += used;
-  }
-  return text;
-}
-
-int decimals_of(double error) { return std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 8); }
-
 }  // namespace
-
-Scale scale_of(double largest, const std::string& unit) {
-  static const char* const taken[] = {"N", "Pa", "J", "m", "s", "N/m", "J/m", "W", "K", "g"};
-  static constexpr std::pair<double, const char*> prefixes[] = {{1e9, "G"},  {1e6, "M"},       {1e3, "k"}, {1, ""},
-                                                                {1e-3, "m"}, {1e-6, "\u00b5"}, {1e-9, "n"}};
-  if (!(largest > 0) || std::ranges::find(taken, unit) == std::end(taken)) return {1, typeset(unit)};
-  const auto at = std::ranges::find_if(prefixes, [&](const auto& p) { return largest >= 0.9995 * p.first; });
-  const auto& [factor, prefix] = at == std::end(prefixes) ? *std::prev(std::end(prefixes)) : *at;
-  return {factor, prefix + typeset(unit)};
-}
 
 Scale scale_of(const std::vector<double>& values, const std::string& unit) {
   return scale_of(largest_of(mapped(values, [](double v) { return std::abs(v); }), 0), unit);
@@ -67,7 +29,7 @@ std::string rounded(double value, int digits) {
   if (power >= 5 || power < -3) {
     const std::string text = fmt::format("{:.{}e}", value, digits - 1);
     const std::size_t e = text.find('e');
-    return with_true_minus(text.substr(0, e)) + "\u00b710" + raised(std::stoi(text.substr(e + 1)));
+    return with_true_minus(text.substr(0, e)) + "\u00b710" + statistics::raised_figures(std::stoi(text.substr(e + 1)));
   }
   return with_true_minus(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - power)));
 }
@@ -80,7 +42,7 @@ std::string counted(double value) {
 
 Said said(std::string symbol, const statistics::Estimate& e) {
   if (!(e.error > 1e-7 * std::abs(e.value))) return {std::move(symbol), rounded(e.value, 4)};
-  const int decimals = decimals_of(e.error);
+  const int decimals = std::clamp(statistics::decimals_of(e.error), 0, 8);
   return {std::move(symbol), with_true_minus(fmt::format("{:.{}f}", e.value, decimals)),
           fmt::format("{:.{}f}", e.error, decimals)};
 }

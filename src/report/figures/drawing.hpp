@@ -7,6 +7,7 @@
 
 #include "statistics/numbers.hpp"
 
+#include "statistics/written.hpp"
 /// What figures show, once for the page and for print. Labels are written as "F_{n}", "\u03c3_{norm}" (notation).
 namespace arenite::report::figures {
 
@@ -185,12 +186,9 @@ template <class Data> struct Row {
 /// raised.
 inline constexpr const char* notation = "(\\b[A-Za-z]|[\u0370-\u03ff])?([_^])\\{([^}]*)\\}";
 
-/// The factor and the unit with its prefix under which numbers up to `largest`, SI, are written.
-struct Scale {
-  double factor = 1;
-  std::string unit;
-};
-Scale scale_of(double largest, const std::string& unit);
+using statistics::Scale;
+using statistics::scale_of;
+/// The same of the largest of these.
 Scale scale_of(const std::vector<double>& values, const std::string& unit);
 
 /// "0.123", "0.029": both to the second digit of the error; without an error four digits.
