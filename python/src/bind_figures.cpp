@@ -1,12 +1,13 @@
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <ranges>
+
 #include "any_tests.hpp"
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/formula.hpp"
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
-#include "model/field_quantities.hpp"
 #include "module.hpp"
 #include "recipe/given.hpp"
 #include "report/drawn.hpp"
@@ -16,6 +17,7 @@
 #include "report/figures/field_figures.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/figures/film_figures.hpp"
+#include "report/figures/grains/grain_values.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/over_runs.hpp"
 #include "report/figures/run_figures.hpp"
@@ -25,7 +27,6 @@
 #include "report/figures/test_figures.hpp"
 #include "report/page_document.hpp"
 #include "report/print/print.hpp"
-#include "solid/stress/sample_means.hpp"
 #include "thermal/inference/film_stresses.hpp"
 #include "workflow/film/film_numbers.hpp"
 
@@ -56,10 +57,17 @@ Numbers of_state(const StageOfRun& of, const Snapshot& state, const std::vector<
   std::vector<Numbers> textures;
   for (const StageResult* part : run)
     for (const Snapshot& one : part->snapshots) textures.push_back(figures::state_numbers(*part, one, false));
-  out.update(
-      figures::numbers_of(figures::run_figures(),
-                          figures::RunData{mapped(textures, [](const Numbers& n) { return &n; }), &packing, *of.asked},
-                          figures::whole_list));
+  // Units of grains are those of the run's end, whichever of its states is drawn, as on its page.
+  const auto stored =
+      std::ranges::find_if(run | std::views::reverse, [](const StageResult* part) { return !part->snapshots.empty(); });
+  const auto grains = [&](std::string_view name) {
+    const StageResult& last = stored == run.rend() ? stage : **stored;
+    return figures::grain_values(last, stored == run.rend() ? state : last.snapshots.back(), name);
+  };
+  out.update(figures::numbers_of(
+      figures::run_figures(),
+      figures::RunData{mapped(textures, [](const Numbers& n) { return &n; }), &packing, *of.asked, grains},
+      figures::whole_list));
   return out;
 }
 
@@ -91,21 +99,6 @@ Numbers of_runs(const std::string& id, const std::vector<fields::AnyTest>& tests
   return {{"drawings", mapped(figures::figure_over_runs(id).draw(tests), [](const figures::Drawing& drawing) {
              return figures::numbers_of(drawing, figures::whole_list);
            })}};
-}
-
-/// A quantity of nodes by the arrays of anything that has the stored ones, as a Field has.
-py::array_t<double> field_values(const py::object& field, const std::string& name) {
-  using Stored = py::array_t<double, py::array::c_style | py::array::forcecast>;
-  const auto array_of = [&](std::string_view quantity) {
-    return Stored::ensure(field.attr(std::string(field_quantity(quantity).name).c_str()));
-  };
-  const Stored like = array_of("yy");
-  const auto size = static_cast<std::size_t>(like.size());
-  auto values = evaluated(field_quantity(name).formula, size, [&](std::string_view id) {
-    const Stored array = array_of(id);
-    return std::vector<double>(array.data(), array.data() + array.size());
-  });
-  return taken_over(std::move(values), {like.shape(), like.shape() + like.ndim()});
 }
 
 template <class Work> py::dict drawn(Work&& work) {
@@ -147,26 +140,6 @@ void bind_words(py::module_& m) {
       py::arg("head"), py::arg("one"), py::arg("other"),
       "A figure of two results, from the drawings of each: a list of one, or empty where these have not the same "
       "axes.");
-}
-
-void bind_pictures_of_fields(py::module_& m) {
-  m.def(
-      "_field_quantities",
-      [] {
-        py::dict list;
-        for (const FieldQuantity& q : field_quantities())
-          list[py::str(std::string(q.name))] = py::make_tuple(q.symbol, q.unit, q.is_magnitude);
-        return list;
-      },
-      "What a picture of a field may show: symbol, unit and whether it is a magnitude, by name.");
-  m.def("_field_values", &field_values, py::arg("field"), py::arg("name"),
-        "That quantity on all nodes, from the arrays of a field.");
-  m.def(
-      "_field_mean",
-      [](const FieldResult& field, const std::string& name) {
-        return stress::SampleMeans(field).of(field_quantity(name));
-      },
-      py::arg("field"), py::arg("name"), "Its mean over the sample, as the statistics of the field take it.");
 }
 
 void bind_drawn_curves(py::module_& m) {
@@ -277,7 +250,6 @@ void bind_drawings(py::module_& m) {
 
 void bind_figures(py::module_& m) {
   bind_words(m);
-  bind_pictures_of_fields(m);
   bind_drawn_curves(m);
   bind_drawings(m);
 }

@@ -5,11 +5,11 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/fields/coarse_layers.hpp"
-#include "grains/fields/loading.hpp"
 #include "grains/texture/force_scale.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "keywords.hpp"
 #include "module.hpp"
+#include "report/colour_ends.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/page_document.hpp"
 #include "report/print/animation.hpp"
@@ -21,39 +21,6 @@ namespace arenite::python {
 namespace {
 
 namespace figures = report::figures;
-
-/// Vectors as rows.
-template <int D> py::array_t<double> rows_of_vectors(const std::vector<Vec<D>>& values) {
-  std::vector<double> flat;
-  for (const Vec<D>& v : values)
-    for (int axis = 0; axis < D; ++axis) flat.push_back(v[axis]);
-  return taken_over(std::move(flat), {static_cast<py::ssize_t>(values.size()), D});
-}
-
-template <int D>
-py::list displacements_of(const std::vector<const PackingIn<D>*>& packings, const std::vector<double>& shear_strain) {
-  if (!shear_strain.empty() && shear_strain.size() != packings.size())
-    throw refusal("there are {} packings and {} shear strains; give as many", packings.size(), shear_strain.size());
-  std::vector<texture::ShearedIn<D>> states;
-  for (std::size_t k = 0; k < packings.size(); ++k)
-    states.push_back({packings[k], shear_strain.empty() ? 0 : shear_strain[k]});
-  Call call;
-  const auto ways = call.without_lock([&] { return texture::displacements(states); });
-  py::list list;
-  for (const auto& way : ways) list.append(rows_of_vectors<D>(way));
-  return list;
-}
-
-template <class Packing_> py::array_t<double> values_of_grains(const Packing_& packing, const std::string& name) {
-  Call call;
-  return taken_over(call.without_lock([&] { return texture::values_of(packing, name); }));
-}
-
-template <class Packing_>
-py::array_t<double> mobilisations_of(const Packing_& packing, std::optional<double> friction) {
-  Call call;
-  return taken_over(call.without_lock([&] { return texture::mobilisations(packing, friction); }));
-}
 
 /// Coarse-grained fields as pictures show them, on a grid whose lines are at x, y and, in space, z.
 template <int D> py::dict layers_of(const StageResultIn<D>& stage, const SnapshotIn<D>& state) {
@@ -67,8 +34,14 @@ template <int D> py::dict layers_of(const StageResultIn<D>& stage, const Snapsho
   py::dict d;
   for (int axis = D - 1; axis >= 0; --axis) shape.push_back(f.grid.count[axis]);
   for (int axis = 0; axis < D; ++axis) d[names[static_cast<std::size_t>(axis)]] = taken_over(f.grid.lines(axis));
-  for (const auto& layer : fields::coarse_layers<D>())
-    if (fields::has_layer(layer, f)) d[py::str(layer.name)] = taken_over(fields::values_of(layer, f), shape);
+  py::dict ends;
+  for (const auto& layer : fields::coarse_layers<D>()) {
+    if (!fields::has_layer(layer, f)) continue;
+    auto values = fields::values_of(layer, f);
+    ends[py::str(layer.name)] = report::ends_of(layer, f, values);
+    d[py::str(layer.name)] = taken_over(std::move(values), shape);
+  }
+  d["ends"] = ends;
   return d;
 }
 
@@ -78,7 +51,8 @@ template <int D> void bind_layers_of(py::module_& m, const char* layers) {
       layers, [] { return to_python(report::named_kinds(fields::coarse_layers<D>())); },
       "{name: [label, symbol, unit, formula, scale of colours]} of pictures of coarse-grained fields.");
   m.def("_layers_of_state", &layers_of<D>, py::arg("stage"), py::arg("state"),
-        "Coarse-grained fields of a state by their names, (layers,) rows from below, and x, y (, z) of their places.");
+        "Coarse-grained fields of a state by their names, (layers,) rows from below, x, y (, z) of their places, and "
+        "the \"ends\" of their colours.");
 }
 
 template <class Work> std::pair<double, double> scale_of(Work&& work) {
@@ -149,6 +123,13 @@ void bind_maps_of_films(py::module_& m) {
       py::arg("film"),
       "{name: (map, its root mean square)} of the warming with the load, of what the forces make of it, and of the "
       "difference, peak to peak; NaN where one of the two is not known. Empty without forces.");
+  m.def(
+      "_ends_of",
+      [](std::vector<double> values, double share) {
+        Call call;
+        return call.without_lock([&] { return report::ends_of(std::move(values), share); });
+      },
+      py::arg("values"), py::arg("share"), "Beyond which this share of the values lies, of those that are known.");
   m.attr("_faint_below") = inference::faint_below;
   m.def(
       "_film_maps",
@@ -161,6 +142,7 @@ void bind_maps_of_films(py::module_& m) {
           if (film) {
             auto values = call.without_lock([&] { return inference::values_of(map, *film); });
             if (values.empty()) continue;
+            one["ends"] = report::ends_of({values.begin(), values.end()}, report::pixels_beyond);
             one["values"] = taken_over(std::move(values), {film->film.height, film->film.width});
           }
           all[py::str(std::string(map.id))] = one;
@@ -168,42 +150,12 @@ void bind_maps_of_films(py::module_& m) {
         return all;
       },
       py::arg("film") = py::none(),
-      "{name: {label, title, unit, around, cyclic, marks, values}} of the maps that a film has, in the order of its "
+      "{name: {label, title, unit, around, cyclic, marks, ends, values}} of the maps that a film has, in the order of "
+      "its "
       "page; without a film what is said of all.");
   m.def(
       "_doubtful_contacts", [](const FilmResult& film) { return taken_over(inference::doubtful_contacts(film)); },
       py::arg("film"), "1 for each contact that counts as there, and by its force and its gap may not be.");
-}
-
-void bind_numbers_of_grains(py::module_& m) {
-  const char *values =
-                 "A number of every grain: x, y, size (diameter, m), coordination (contacts), pressure, deviator "
-                 "(half the difference of the principal stresses, of spheres sqrt(3 J_2), Pa), friction (mean "
-                 "|F_t|/F_n of the contacts that push), speed, vx, vy (m/s), spin (rad/s).",
-             *mobilised =
-                 "Mean |F_t|/(mu F_n) of the contacts of every grain that push; of |F_t|/F_n where mu is not "
-                 "given; 0 without friction.",
-             *ways =
-                 "Displacements of grains since the first of these states, m, (n, 2) for each, of spheres (n, 3); "
-                 "without the shear of a cell whose strains are given. In a periodic cell grains must not move "
-                 "farther than half a cell between two states.";
-  m.def("grain_values", &values_of_grains<Packing>, py::arg("packing"), py::arg("name"), values);
-  m.def("grain_values", &values_of_grains<PackingIn<3>>, py::arg("packing"), py::arg("name"));
-  m.def("mobilisation", &mobilisations_of<Packing>, py::arg("packing"), py::arg("friction") = py::none(), mobilised);
-  m.def("mobilisation", &mobilisations_of<PackingIn<3>>, py::arg("packing"), py::arg("friction") = py::none());
-  m.def("displacements", &displacements_of<2>, py::arg("packings"), py::arg("shear_strain") = std::vector<double>{},
-        ways);
-  m.def("displacements", &displacements_of<3>, py::arg("packings"), py::arg("shear_strain") = std::vector<double>{});
-  m.def("_at_time", &fields::at_time, py::arg("time"), py::arg("values"), py::arg("t"),
-        "Values at a time between two rows, straight from one to the next; those of the first and last row beyond.");
-  m.def(
-      "_rotations",
-      [](const std::vector<const Packing*>& packings) {
-        py::list list;
-        for (auto& turned : texture::rotations(packings)) list.append(taken_over(std::move(turned)));
-        return list;
-      },
-      py::arg("packings"), "Rotations of grains since the first of these states, rad, an array for each.");
 }
 
 void bind_force_scales(py::module_& m) {
@@ -247,7 +199,6 @@ void bind_force_scales(py::module_& m) {
 void bind_pictures(py::module_& m) {
   bind_colourings(m);
   bind_maps_of_films(m);
-  bind_numbers_of_grains(m);
   bind_force_scales(m);
 }
 

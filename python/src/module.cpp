@@ -43,6 +43,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_results(m);
   arenite::python::bind_curves(m);
   arenite::python::bind_over_runs(m);
+  arenite::python::bind_drawn_numbers(m);
   arenite::python::bind_figures(m);
   arenite::python::bind_pictures(m);
   arenite::python::bind_store(m);

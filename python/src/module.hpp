@@ -19,6 +19,7 @@ void bind_film_parts(pybind11::module_& m);
 void bind_results(pybind11::module_& m);
 void bind_curves(pybind11::module_& m);
 void bind_over_runs(pybind11::module_& m);
+void bind_drawn_numbers(pybind11::module_& m);
 void bind_figures(pybind11::module_& m);
 void bind_pictures(pybind11::module_& m);
 void bind_store(pybind11::module_& m);

@@ -12,6 +12,7 @@
 #include "core/mapped.hpp"
 #include "model/field_quantities.hpp"
 #include "model/kinds.hpp"
+#include "report/colour_ends.hpp"
 #include "report/figures/field_figures.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/packing_layers.hpp"
@@ -99,7 +100,7 @@ Numbers components_of(const FieldResult& result, const stress::SampleMeans& mean
   return all;
 }
 
-/// What the page may paint or tell of nodes and grains, in its order, with its mean.
+/// What the page may paint or tell of nodes and grains, in its order, with its mean and the ends of its colours.
 Numbers quantities_of(const FieldResult& result, const stress::SampleMeans& means) {
   Numbers all = Numbers::tree();
   if (result.field.size() == 0) return all;
@@ -107,7 +108,12 @@ Numbers quantities_of(const FieldResult& result, const stress::SampleMeans& mean
     Numbers& one = all[std::string(q.id)];
     one = {{"name", std::string(q.name)},       {"symbol", std::string(q.symbol)}, {"unit", std::string(q.unit)},
            {"formula", std::string(q.formula)}, {"offered", q.is_offered},         {"magnitude", q.is_magnitude}};
-    if (q.is_offered && has(result.field, q)) one["mean"] = means.of(q);
+    if (!q.is_offered || !has(result.field, q)) continue;
+    one["mean"] = means.of(q);
+    std::vector<double> values = values_of(q, result.field);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (result.map.phase[k] == Phase::empty) values[k] = statistics::unknown;
+    one["ends"] = numbers_of(ends_of(std::move(values), nodes_beyond));
   }
   return all;
 }

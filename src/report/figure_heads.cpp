@@ -31,10 +31,6 @@ const Head coarse_slices{
      "as a grain, which satisfy the balances of mass and momentum.",
      "Stress includes its kinetic part; compression is positive, except for shear stresses."},
     true};
-const Head grain_scatter{
-    "grain-scatter", "grain-scatter", "Grains",
-    "One point per grain of the state shown, in the colour of its material; a click marks the grain in the picture and "
-    "in the table."};
 const Head film_maps{"film-maps",
                      "beside-simulation",
                      "Experiment and simulation: \u03c3_{norm} of every grain",
@@ -66,7 +62,7 @@ std::vector<Head> in_order(const std::vector<Head>& heads, const std::vector<std
 }  // namespace
 
 std::vector<Head> packing_heads() {
-  std::vector<Head> all{coarse_fields, grain_scatter};
+  std::vector<Head> all{coarse_fields};
   add_heads(all, state_figures());
   add_heads(all, stage_figures());
   add_heads(all, run_figures());
@@ -87,7 +83,7 @@ std::vector<Head> field_heads() { return heads_of(field_figures()); }
 std::vector<Head> voxel_heads() { return heads_of(voxel_figures()); }
 std::vector<Head> sphere_heads() {
   std::vector<Head> all = heads_of(sphere_figures());
-  all.insert(std::ranges::find(all, std::string("rev"), &Head::id), {grain_scatter, coarse_slices});
+  all.insert(std::ranges::find(all, std::string("rev"), &Head::id), coarse_slices);
   return all;
 }
 std::vector<Head> heads_over_runs() { return heads_of(figures_over_runs()); }

@@ -14,11 +14,13 @@
 #include "model/film_place.hpp"
 #include "model/grain_motion.hpp"
 #include "model/lockin_maps.hpp"
+#include "report/colour_ends.hpp"
 #include "report/figures/film_figures.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
+#include "statistics/correlation.hpp"
 #include "thermal/inference/film_fit.hpp"
 #include "thermal/inference/film_maps.hpp"
 #include "thermal/inference/film_stresses.hpp"
@@ -58,6 +60,7 @@ Numbers maps_of(const FilmResult& r, NumberBlock& block) {
     if (values.empty()) continue;
     Numbers& one = all[map.id];
     one = inference::words_of(map, r);
+    one["ends"] = numbers_of(ends_of({values.begin(), values.end()}, pixels_beyond));
     if (map.marks_bad) one["on"] = "picture";
     else one.update(map_of(r.film.width, r.film.height, values, steps_of(map.id), block));
   }
@@ -114,6 +117,7 @@ Numbers grains_of(const FilmResult& r, const inference::FilmStresses& stresses, 
   reals("x", mapped(circles.centre, &Vec2::x), "px");
   reals("y", mapped(circles.centre, &Vec2::y), "px");
   reals("radius", circles.radius, "px");
+  out["mean_radius"] = statistics::mean_of_known(circles.radius);
   reals("position_error", circles.position_error, "px");
   reals("radius_error", circles.radius_error, "px");
   reals("temperature", r.peak_to_peak.temperature, inference::unit_in(r.film, "K"));
@@ -156,6 +160,7 @@ Numbers fit_of(const FilmResult& r) {
   };
   return {
       {"title", std::string(said("in_phase").title)},
+      {"ends", numbers_of(ends_of({maps.measured.begin(), maps.measured.end()}, pixels_beyond))},
       {"pictures", Numbers::list({picture("Measured", "in_phase", to_peak_to_peak(r.maps.convention), maps.measured),
                                   picture(said("fitted").label, "fitted", 1, maps.fitted),
                                   picture(said("fit_residual").label, "fit_residual", 1, maps.residual)})}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
@@ -11,6 +12,7 @@
 #include "grains/texture/grain_quantities.hpp"
 #include "grains/texture/stress.hpp"
 #include "model/shapes.hpp"
+#include "report/colour_ends.hpp"
 #include "report/figures/distributions.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/page_document.hpp"
@@ -155,6 +157,7 @@ Numbers grains_of(const Grains& grains, NumberBlock& block) {
   Numbers out = {{"count", grains.size()},
                  {"id", block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()))},
                  {"radius", block.add_reals(grains.radius, "m")},
+                 {"mean_radius", 0.5 * grains.mean_diameter()},
                  {"material", block.add_indices(grains.material)},
                  {"zone", block.add_indices(grains.zone)}};
   if (!grains.shapes.empty()) out["shapes"] = shapes_of(grains, block);
@@ -203,9 +206,14 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
               {"columns", count.x},
               {"rows", count.y},
               {"width", fields::width_to_show(packing, grid)}};
-  for (const auto& layer : fields::coarse_layers<2>())
-    if (layer.formula.empty() && fields::has_layer(layer, f))
-      out[layer.name] = block.add_coarse(fields::values_of(layer, f), std::string(layer.unit));
+  Numbers ends = Numbers::tree();
+  for (const auto& layer : fields::coarse_layers<2>()) {
+    if (!fields::has_layer(layer, f)) continue;
+    const std::vector<double> values = fields::values_of(layer, f);
+    ends[layer.name] = numbers_of(ends_of(layer, f, values));
+    if (layer.formula.empty()) out[layer.name] = block.add_coarse(values, std::string(layer.unit));
+  }
+  out["ends"] = std::move(ends);
   return out;
 }
 

@@ -19,6 +19,7 @@
 #include "report/drawn.hpp"
 #include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
+#include "report/figures/grains/grain_values.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/run_figures.hpp"
 #include "report/figures/stage_figures.hpp"
@@ -117,9 +118,10 @@ std::vector<ShownStage> stages_of(const PageData& data, const std::deque<std::op
   return shown;
 }
 
-const Snapshot* last_snapshot(const std::vector<ShownStage>& stages) {
+/// The last one that has states.
+const ShownStage* last_stage(const std::vector<ShownStage>& stages) {
   for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
-    if (!stage->result->snapshots.empty()) return &stage->result->snapshots.back();
+    if (!stage->result->snapshots.empty()) return &*stage;
   return nullptr;
 }
 
@@ -149,9 +151,15 @@ void add_figures_of_state(Numbers& shown, const Packing& packing, const figures:
 }
 
 /// Figures of the run as a whole.
-Numbers figures_of_run(const Numbers& snapshots, const Snapshot* last, const Asked& asked,
+Numbers figures_of_run(const Numbers& snapshots, const ShownStage& last, const Asked& asked,
                        const figures::WriteList& write) {
-  figures::RunData run{{}, last ? &last->packing : nullptr, asked};
+  const Snapshot& state = last.result->snapshots.back();
+  // What a laboratory measured of a film's grains, their contacts do not tell.
+  const auto grains = [&](std::string_view name) {
+    const bool is_known = name == "stress" && last.last && !last.last->per_grain.sigma_norm.empty();
+    return is_known ? last.last->per_grain.sigma_norm : figures::grain_values(*last.result, state, name);
+  };
+  figures::RunData run{{}, &state.packing, asked, grains};
   for (const Numbers& snapshot : snapshots)
     run.textures.push_back(snapshot.contains("texture") ? &snapshot["texture"] : nullptr);
   return shortened(figures::numbers_of(figures::run_figures(), run, write));
@@ -249,12 +257,12 @@ PageDocument page_document(const PageData& data) {
   Numbers stages = Numbers::list(), snapshots = Numbers::list();
   const auto films = films_of(data);  // stay in place while the stages point at them
   const auto shown = stages_of(data, films);
-  const Snapshot* last = last_snapshot(shown);
+  const ShownStage* last = last_stage(shown);
   const ShownGrains grains(mapped(shown, &ShownStage::result));
   if (last) {
     document["quantities"] = named_kinds(texture::grain_quantities());
     document["layers"] = named_kinds(fields::coarse_layers<2>());
-    document["materials"] = materials_of(last->packing.materials);
+    document["materials"] = materials_of(last->result->snapshots.back().packing.materials);
     document["grains"] = grains_of(grains.all(), block);
   }
   const std::size_t every = states_per_fields(shown);
@@ -265,7 +273,7 @@ PageDocument page_document(const PageData& data) {
       before = &states.back().packing;
     if (last) add_states(snapshots, document["meanings"], shown[s], s, grains, every, block, write);
   }
-  if (last) document["run"] = figures_of_run(snapshots, last, asked_of(shown), write);
+  if (last) document["run"] = figures_of_run(snapshots, *last, asked_of(shown), write);
   document["stages"] = std::move(stages);
   document["snapshots"] = std::move(snapshots);
   if (!data.fields.empty()) add_fields(document, data, block, write);

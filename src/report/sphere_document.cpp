@@ -20,6 +20,7 @@
 #include "grains/fields/coarse_layers.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "grains/texture/spheres/spheres.hpp"
+#include "report/colour_ends.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/run_figures.hpp"
 #include "report/figures/state_numbers.hpp"
@@ -140,6 +141,7 @@ Numbers state_of(const SphereResult& stage, std::size_t place, NumberBlock& bloc
     out["materials"] = materials_of(packing.materials);
     out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
     out["radius"] = block.add_reals(grains.radius, "m");
+    out["mean_radius"] = 0.5 * grains.mean_diameter();
     out["material"] = block.add_indices(grains.material);
   }
   out["x"] = block.add_reals(mapped(grains.position, &Vec3::x), "m");
@@ -168,10 +170,15 @@ Numbers fields_of(const SphereResult& stage, const SnapshotIn<3>& state, const C
   const auto reached = mapped<std::uint8_t>(f.solid_fraction, [](double share) { return share > 0; });
   if (!std::ranges::all_of(reached, [](std::uint8_t is) { return is; })) out["reached"] = block.add_indices(reached);
   Numbers& layers = out["layers"] = Numbers::tree();
-  for (const auto& layer : fields::coarse_layers<3>())
-    if (layer.formula.empty() && fields::has_layer(layer, f))
-      layers[layer.name] =
-          report::numbers_of(code_field(cells.x, cells.y * cells.z, fields::values_of(layer, f), reached, true), block);
+  Numbers ends = Numbers::tree();
+  for (const auto& layer : fields::coarse_layers<3>()) {
+    if (!fields::has_layer(layer, f)) continue;
+    const std::vector<double> values = fields::values_of(layer, f);
+    ends[layer.name] = report::numbers_of(ends_of(layer, f, values));
+    if (layer.formula.empty())
+      layers[layer.name] = report::numbers_of(code_field(cells.x, cells.y * cells.z, values, reached, true), block);
+  }
+  out["ends"] = std::move(ends);
   return out;
 }
 

@@ -119,9 +119,8 @@ def test_the_fit_of_a_film_is_drawn_with_the_root_mean_squares_of_the_library(mo
     maps = {name: (np.full((2, 2), value), value) for name, value in (("measured", 3e-3), ("fitted", 2e-3))}
     maps["residual"] = (np.full((2, 2), np.nan), np.nan)
     said = _core._film_maps()
-    monkeypatch.setattr(
-        films, "_core", types.SimpleNamespace(_fit_maps=lambda film: maps, _film_maps=lambda film: said)
-    )
+    core = types.SimpleNamespace(_fit_maps=lambda film: maps, _film_maps=lambda film: said, _ends_of=_core._ends_of)
+    monkeypatch.setattr(films, "_core", core)
     figure = saving.Canvas()
     films.draw_fit(figure, types.SimpleNamespace(pixel=1e-3))
     titles = [a.get_title() for a in figure.axes]
@@ -162,12 +161,19 @@ def drawn_maps(monkeypatch, film, unit):
         "bad": film.picture,
     }
     said = {
-        name: {**words, "unit": words["unit"] and unit, "values": values[name]}
+        name: {
+            **words,
+            "unit": words["unit"] and unit,
+            "values": values[name],
+            "ends": _core._ends_of(np.ravel(values[name]), 0),
+        }
         for name, words in _core._film_maps().items()
         if name in values
     }
     core = types.SimpleNamespace(
-        _film_maps=lambda film=None: said if film else _core._film_maps(), _faint_below=_core._faint_below
+        _film_maps=lambda film=None: said if film else _core._film_maps(),
+        _faint_below=_core._faint_below,
+        _ends_of=_core._ends_of,
     )
     monkeypatch.setattr(films, "_core", core)
     canvas = saving.Canvas()

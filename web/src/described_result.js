@@ -24,6 +24,10 @@ export class DescribedResult {
     return null;
   }
 
+  /** What a figure shows; undefined where that is nothing. */
+  ofRun(id) {
+    return opened(this.#block, this.about, id);
+  }
   /** What a figure shows, and the step that the reader is at. */
   drawn(id, state) {
     const drawings = opened(this.#block, this.about, id);

@@ -32,6 +32,11 @@ export class Sample {
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
+  /** What a figure shows of the run as a whole; undefined where that is nothing. */
+  ofRun(id) {
+    return opened(this.#block, this.about.run ? { figures: this.about.run } : null, id);
+  }
+
   /** What a figure shows of the state shown, of its stage, or with `nearest` of the next stage that has it, or of the
       whole run, the state's place in it (null: not in it), and the first state that has a place in it; null where there
       is nothing. */

@@ -9,8 +9,9 @@ import { pairsSeen } from "../src/packing/strokes.js";
 import { Camera } from "../src/camera.js";
 import { Sample } from "../src/sample.js";
 import { State } from "../src/state.js";
+import { units } from "./program.mjs";
 
-readDrawn({ chain: { width: 0.25, widest: 1 } });
+readDrawn({ chain: { width: 0.25, widest: 1 }, units });
 
 function camera() {
   const c = new Camera();

@@ -1,17 +1,22 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { inWords, named, Numbers, readWords } from "../src/declared.js";
+import { readDrawn } from "../src/drawn.js";
 import { evaluate, evaluateAll, namesIn } from "../src/formula.js";
 import { tables } from "../src/numbers.js";
 import { histogram, makeScale } from "../src/field/scale.js";
 import { quantityWithError } from "../src/film/tooltip.js";
 import { Sample } from "../src/sample.js";
 import { factorOf, prefixOf, text, typeset } from "../src/text.js";
+import { units } from "./program.mjs";
+
+readDrawn({ units });
 
 test("a value and its error end at the error's second digit", () => {
   assert.deepEqual(text.withError(0.123456, 0.02891), { value: "0.123", error: "0.029" });
   assert.deepEqual(text.withError(98.63, 6.72), { value: "98.6", error: "6.7" });
   assert.deepEqual(text.withError(1281.4, 50.2), { value: "1281", error: "50" });
+  assert.deepEqual(text.withError(12.3456, 0.0996), { value: "12.35", error: "0.10" });
   assert.deepEqual(text.withError(-1.2345, 0.01), { value: "\u22121.234", error: "0.010" });
 });
 
@@ -88,6 +93,17 @@ test("a unit with a prefix is told in the one without, whatever prefix it has", 
 test("very large and very small numbers are written with a power of ten", () => {
   assert.equal(text.number(1.5e-7, 2), "1.5\u00b710\u207b\u2077");
   assert.equal(text.number(2.5e6, 2), "2.5\u00b710\u2076");
+});
+
+test("a scale ends where the program says, or else where the share that the reader chose is beyond", () => {
+  const order = Float64Array.from({ length: 101 }, (_, k) => k),
+    how = { around: "ends", symlog: false, clip: 0.05, mean: 0 };
+  const { low, high } = makeScale(order, how),
+    told = makeScale(order, { ...how, ends: [2, 90] });
+  assert.deepEqual([low, high], [5, 95]);
+  assert.deepEqual([told.low, told.high], [2, 90]);
+  const centred = makeScale(order, { ...how, around: "zero", ends: [-10, 90] });
+  assert.deepEqual([centred.low, centred.high], [-90, 90]);
 });
 
 test("formulas of the program are formed as it forms them", () => {

@@ -10,8 +10,9 @@ import { scaleOf } from "../src/spheres/paint.js";
 import { SphereResult } from "../src/spheres/result.js";
 import { seenSphere } from "../src/spheres/seen.js";
 import { State } from "../src/state.js";
+import { units } from "./program.mjs";
 
-readDrawn({ breaks: ["", "tension", "bending", "shear", "twisting"] });
+readDrawn({ breaks: ["", "tension", "bending", "shear", "twisting"], units });
 
 const close = (a, b) => a.length === b.length && a.every((v, k) => Math.abs(v - b[k]) < 1e-12);
 
@@ -139,13 +140,15 @@ const withFields = () => {
   const state = (height, fields) => ({
     fields: { low: [1, 0, 0], high: [3, height, 8], cells: [2, 1, 2], width: 0.5, ...fields },
   });
-  const solid = { solid_fraction: coded([4, 2, 1, 0]) };
+  const solid = { solid_fraction: coded([4, 2, 1, 0]) },
+    motion = Object.fromEntries(["vx", "vy", "vz"].map((v) => [v, coded([8, 0, 0, 8])])),
+    ends = { solid_fraction: [0.25, 0.75], speed: [0, 3.5], vx: [-2, 2] };
   const states = [
     {},
-    state(4, { layers: { ...solid, ...Object.fromEntries(["vx", "vy", "vz"].map((v) => [v, coded([8, 0, 0, 8])])) } }),
+    state(4, { ends, layers: { ...solid, ...motion } }),
     {},
     {},
-    state(2, { layers: solid, reached: stored([1, 1, 0, 1]) }),
+    state(2, { ends, layers: solid, reached: stored([1, 1, 0, 1]) }),
   ];
   const layers = {
     solid_fraction: ["Solid fraction", "\u03c6", "", "", "even"],
@@ -186,7 +189,7 @@ test("fields have the values that were coded, none where no grain is near, and a
   assert.deepEqual([...fields.layer("vx").values], [1, 1, 1, 2]);
   assert.ok(Math.abs(fields.layer("speed").values[3] - Math.hypot(2, 2, 2)) < 1e-6);
   const { low, high } = fields.layer("vx").scale;
-  assert.deepEqual([low, high], [-2, 2], "about zero");
+  assert.deepEqual([low, high], [-2, 2], "as the program says");
   assert.deepEqual([fields.layer("solid_fraction").scale.low, fields.layer("speed").scale.low], [0.25, 0]);
 });
 

@@ -1,9 +1,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { readDrawn } from "../src/drawn.js";
 import { frameOf } from "../src/space/frame.js";
 import { seenCell } from "../src/volume/ray.js";
 import { VolumeResult } from "../src/volume/result.js";
 import { filling } from "../src/volume/scene.js";
+import { units } from "./program.mjs";
+
+readDrawn({ units });
 
 test("a line of sight meets the first voxel that is seen, whatever is cut away", () => {
   const size = [4, 5, 6],

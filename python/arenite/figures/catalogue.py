@@ -69,13 +69,13 @@ def of_components_height(rows):
 
 # Pictures of the page's cards have renderers of their own.
 stage_pictures = {
-    "grain-scatter": Figure("grain-scatter", "stage", samples.grain_scatter, has_contacts),
+    "grain-scatter": Figure("grain-scatter", "stage", samples.grain_scatter, samples.scatter_of),
     "coarse-fields": Figure(
         "coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True
     ),
 }
 sphere_pictures = {
-    "grain-scatter": Figure("grain-scatter", "spheres", samples.sphere_scatter, samples.has_touching_spheres),
+    "grain-scatter": Figure("grain-scatter", "spheres", samples.grain_scatter, samples.scatter_of),
     "coarse-fields": Figure(
         "coarse-fields", "spheres", samples.coarse_slices, samples.are_in_a_box, samples.slices_height, True
     ),

@@ -20,6 +20,8 @@ from .style import (
     scaled,
 )
 
+beyond_nodes = drawn["beyond"]["nodes"]  # share of them beyond either end of a scale of colours, as on the page
+
 
 def _picture(axes, map, values, **options):
     width, height = map.width * map.dx, map.height * map.dx
@@ -131,7 +133,7 @@ def scale_in(values, component, quantities, unit_of_stress, mean_of_sample):
     return values, None if is_magnitude else mean_of_sample() / abs(value), f"{symbol}/{over}"
 
 
-def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=centred_map):
+def draw_field(axes, field, component="sigma_yy", share=beyond_nodes, colour_map=centred_map):
     """A component as `scale_of` gives it; the colour range excludes `share` of the nodes at each end, voids are
     white."""
     values, centre, label = scale_of(field, component)
@@ -140,9 +142,9 @@ def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=centre
     return shown
 
 
-def colours_of(values, centre, share=0.005, colour_map=centred_map):
+def colours_of(values, centre, share=beyond_nodes, colour_map=centred_map):
     """A colour map and its ends for values about a centre, or from their least where that is None."""
-    low, high = np.nanquantile(values, [share, 1 - share])
+    low, high = _core._ends_of(np.ravel(values), share)
     if centre is None:
         return {"cmap": one_sided_map, "vmin": low, "vmax": high}
     reach = max(high - centre, centre - low) or 1.0

@@ -9,9 +9,21 @@ from matplotlib.colors import ListedColormap, Normalize
 from .. import _core
 from .drawing import heads
 from .packings import circles
-from .style import bare, cyclic_map, diverging_map, length_bar, most_stress, scale_maps, scaled, stress_map, strong
+from .style import (
+    bare,
+    cyclic_map,
+    diverging_map,
+    drawn,
+    length_bar,
+    most_stress,
+    scale_maps,
+    scaled,
+    stress_map,
+    strong,
+)
 
 bad_pixel = "#ff2d95"
+beyond_pixels = drawn["beyond"]["pixels"]  # share of them beyond either end of a scale of colours, as on the page
 
 
 def _of_companions():
@@ -38,11 +50,10 @@ def _show(axes, values, pixel, **options):
     return shown
 
 
-def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=None, pixel=0):
+def draw_map(axes, values, label=None, share=beyond_pixels, colour_map="inferno", about=None, pixel=0):
     """A map of pixels, top row first; the colour range excludes `share` of the pixels at each end and is symmetric
     about `about` if that is given; `label` adds a colour bar with a title, `pixel` (m) a scale bar."""
-    known = values[np.isfinite(values)]
-    low, high = np.quantile(known, [share, 1 - share]) if known.size else (0, 1)
+    low, high = _core._ends_of(np.ravel(values), share)
     if about is not None:
         reach = max(high - about, about - low) or 1.0
         low, high = about - reach, about + reach
@@ -56,10 +67,9 @@ def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=
 def draw_fit(figure, film):
     """The measured map, the map predicted from the contact forces, and their difference: peak to peak on one scale."""
     maps, said = _core._fit_maps(film), _core._film_maps(film)
-    known = maps["measured"][0][np.isfinite(maps["measured"][0])]
-    most = np.quantile(np.abs(known), 0.99) if known.size else 0
+    most = max(map(abs, _core._ends_of(np.ravel(maps["measured"][0]), beyond_pixels)))
     factor, unit = scaled(most, said["in_phase"]["unit"])
-    reach = most / factor if known.size else 1
+    reach = most / factor or 1
     labels = {"fitted": said["fitted"]["label"].lower(), "residual": said["fit_residual"]["label"].lower()}
     for k, name in enumerate(maps):
         axes = figure.add_subplot(1, 3, k + 1)
@@ -107,8 +117,7 @@ def draw_film_map(axes, film, said):
         return draw_bad_pixels(axes, film)
     if said["cyclic"]:
         return _phase(axes, said, film.maps.amplitude, film.maps.standard_error, film.pixel)
-    known = np.abs(said["values"][np.isfinite(said["values"])])
-    factor, unit = scaled(known.max() if known.size else 0, said["unit"])
+    factor, unit = scaled(max(map(abs, said["ends"])), said["unit"])
     about = 0 if said["around"] == "zero" else None
     title = fill(f"{in_small(said['title'])}, {unit}", 34)
     return draw_map(

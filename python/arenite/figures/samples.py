@@ -3,6 +3,8 @@
 import numpy as np
 
 from .. import _core
+from .drawing import describe
+from .parts import State
 from .shots import Shot
 from .slices import Box, draw_slices, height_of, rows_of
 from .style import bare, colours, label, plain, scale_maps, scaled, soft, strong
@@ -12,52 +14,60 @@ def worded(symbol, unit):
     return label(f"{symbol}, {unit}" if unit else symbol)
 
 
-def draw_grains_against(axes, shot, x="size", y="pressure"):
+def scatter_of(part):
+    """What the library describes of the grains of a state, or of a stage of spheres: the numbers that may stand along
+    the axes, and which do; None where there is nothing to draw."""
+    drawings = describe(part).get("grain-scatter")
+    return drawings[0]["scatter"] if drawings else None
+
+
+def draw_grains_against(axes, shot, x=None, y=None):
     """One quantity of the grains against another, one point per grain in the colour of its material; by their names in
-    `arenite.grain_values`."""
-    packing, drawn = shot.packing, []
-    for name in (x, y):
-        _, symbol, unit, *_ = _core._grain_quantities()[name]
-        values = _core.grain_values(packing, name)
-        factor, prefixed = scaled(np.max(np.abs(values), initial=0), unit)
-        drawn.append((values / factor, worded(symbol, prefixed)))
+    `arenite.grain_values`, or those that the page shows first."""
+    stage = shot.stage
+    part = stage if shot.in_space else State(stage.name, stage, shot.snapshot, [stage])
+    _draw_scatter(axes, shot, scatter_of(part), x, y)
+
+
+def _draw_scatter(axes, shot, scatter, x=None, y=None):
+    packing = shot.packing
+    known = {axis["quantity"]: axis for axis in scatter["axes"]}
+    names = {"x": x or scatter["across"], "y": y or scatter["up"]}
+    for along, name in names.items():
+        if name not in known:
+            raise ValueError(f"these grains have no {name}; there are {', '.join(known)}")
+        axes.set(**{f"{along}label": worded(known[name]["label"], known[name].get("unit"))})
+    values = [
+        _core._grain_values_of_state(shot.stage, shot.snapshot, name) / known[name]["factor"] for name in names.values()
+    ]
+    drawn = np.arange(len(packing)) % scatter["every"] == 0
     for m, material in enumerate(packing.materials):
-        of = packing.material == m
+        of = drawn & (packing.material == m)
         if np.any(of):
             axes.plot(
-                drawn[0][0][of],
-                drawn[1][0][of],
+                values[0][of],
+                values[1][of],
                 ".",
                 color=colours[m % len(colours)],
                 markersize=2.5,
                 alpha=0.7,
                 label=plain(material.name),
             )
-    axes.set(xlabel=drawn[0][1], ylabel=drawn[1][1])
     if len(packing.materials) > 1:
         axes.legend(markerscale=2)
 
 
-def grain_scatter(figure, state):
-    draw_grains_against(figure.add_subplot(), Shot(state.stage, state.snapshot))
+def grain_scatter(figure, part):
+    """Of a state, or of the last one of a stage of spheres."""
+    of_state = isinstance(part, State)
+    shot = Shot(part.stage, part.snapshot) if of_state else Shot(part, part.snapshots[-1])
+    _draw_scatter(figure.add_subplot(), shot, scatter_of(part))
 
 
-def has_touching_spheres(stage):
-    return len(stage.snapshots) > 0 and len(stage.snapshots[-1].packing.contact_i) > 0
-
-
-def sphere_scatter(figure, stage):
-    draw_grains_against(figure.add_subplot(), Shot(stage, stage.snapshots[-1]))
-
-
-def _look_of(values, layer):
-    """The unit that values are drawn in, their colours, which all but a hundredth lie within, and the label of a
-    bar."""
+def _look_of(ends, layer):
+    """The unit that values are drawn in, their colours between these ends, and the label of a bar."""
     words, symbol, unit, _, scale = layer
-    known = np.abs(values[np.isfinite(values)])
-    factor, prefixed = scaled(np.max(known, initial=0), unit) if unit in ("Pa", "m/s") else (1, unit)
-    low, high = np.nanquantile(values, [0.01, 0.99]) if len(known) else (0, 1)
-    ends = (-max(abs(low), abs(high)), max(abs(low), abs(high))) if scale == "diverging" else (low, high)
+    factor, prefixed = scaled(max(map(abs, ends)), unit)
     look = {"cmap": scale_maps[scale], "vmin": ends[0] / factor, "vmax": ends[1] / factor}
     return factor, look, worded(f"{words} {symbol}", prefixed)
 
@@ -66,7 +76,7 @@ def draw_coarse_field(axes, fields, name):
     """One of the fields of a state (`fields_of`), with the velocity as arrows over its magnitude; returns what a colour
     bar needs, and its label."""
     values, x, y = fields[name], fields["x"], fields["y"]
-    factor, colours_of_it, words = _look_of(values, _core._coarse_layers()[name])
+    factor, colours_of_it, words = _look_of(fields["ends"][name], _core._coarse_layers()[name])
     half = [0.5 * (axis[1] - axis[0]) if len(axis) > 1 else 0.5 for axis in (x, y)]
     picture = axes.imshow(
         values / factor,
@@ -132,7 +142,7 @@ def coarse_slices(figure, stage):
     low = {axis: fields[axis][0] - 0.5 * sides[axis] / cells[axis] for axis in sides}
     box = Box(sides, cells, low, upright="y")
     for name, row in zip(names, rows_of(figure, box, len(names))):
-        factor, look, words = _look_of(fields[name], layers[name])
+        factor, look, words = _look_of(fields["ends"][name], layers[name])
         shown, axes = draw_slices(figure, box, fields[name] / factor, row, "bilinear", **look)
         figure.colorbar(shown, ax=axes, label=words, shrink=0.8, extend="both", pad=0.01)
 

@@ -59,8 +59,16 @@ template <int D> std::vector<CoarseLayerIn<D>> layers_in() {
   using Fields = CoarseFieldsIn<D>;
   const auto whole = [](auto of) { return [of](const Fields& f) { return of_stress<D>(f, of); }; };
   std::vector<CoarseLayerIn<D>> list{
-      {"solid_fraction", "Solid fraction", "\u03c6", "", even, false, [](const Fields& f) { return f.solid_fraction; }},
-      {"density", "Density", "\u03c1", "kg/m^3", even, false, [](const Fields& f) { return f.density; }},
+      {"solid_fraction",
+       "Solid fraction",
+       "\u03c6",
+       "",
+       even,
+       false,
+       [](const Fields& f) { return f.solid_fraction; },
+       {},
+       true},
+      {"density", "Density", "\u03c1", "kg/m^3", even, false, [](const Fields& f) { return f.density; }, {}, true},
       {"speed", "Velocity", "|v|", "m/s", even, true, nullptr, speeds[D - 2]}};
   for (int axis = 0; axis < D; ++axis) {
     const auto& [name, label, symbol] = velocities[static_cast<std::size_t>(axis)];

@@ -17,6 +17,7 @@ template <int D> struct CoarseLayerIn {
   bool is_of_motion = false;  ///< nothing where grains are at rest
   std::function<std::vector<double>(const CoarseFieldsIn<D>& fields)> of = nullptr;
   std::string_view formula = {};  ///< instead, of other layers (core/formula.hpp)
+  bool from_least = false;        ///< its colours begin at its least value, not at 0
 };
 
 /// All, in the order of the page. A new one is one more row.

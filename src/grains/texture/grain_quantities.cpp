@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "geometry/ball.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
+#include "grains/texture/spheres/spheres.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/matching.hpp"
@@ -49,6 +50,10 @@ Values deviators(const PackingIn<3>& packing) {
     all.push_back(spheres::deviator(moment) / geometry::volume_of_ball<3>(packing.grains.radius[all.size()]));
   return all;
 }
+
+/// Over their mean away from the border, as a stage is measured that was asked for nothing else.
+Values normalised_stresses(const Packing& packing) { return grain_rows(packing).per_grain.sigma_norm; }
+Values normalised_stresses(const PackingIn<3>& packing) { return stresses_over_mean(packing, {}); }
 
 double length_of(double v) { return std::abs(v); }
 double length_of(Vec3 v) { return norm(v); }
@@ -127,7 +132,7 @@ const std::vector<GrainQuantity>& grain_quantities() {
       {"coordination", "Contacts per grain", "z", "", even, contact_numbers<2>, {}, contact_numbers<3>, true},
       {"pressure", "Pressure of grains", "p", "Pa", stress, pressures, {}, pressures},
       {"deviator", "Deviator of grains", "q", "Pa", stress, deviators, {}, deviators, true},
-      {"stress", "Stress over its mean", "\u03c3_{norm}", "", stress},
+      {"stress", "Stress over its mean", "\u03c3_{norm}", "", stress, normalised_stresses, {}, normalised_stresses},
       {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", even, ratios_of_forces<2>, {}, ratios_of_forces<3>, true},
       {.name = "mobilisation",
        .label = "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})",
@@ -163,7 +168,9 @@ Values values_of(const Packing& packing, std::string_view name) {
     return evaluated(quantity.formula, packing.grains.size(),
                      [&](std::string_view part) { return values_of(packing, part); });
   if (!quantity.of && quantity.of_spheres) throw refusal("a state of disks has no {}", name);
-  if (!quantity.of) throw refusal("the {} of grains takes more than one state", name);
+  if (!quantity.of)
+    throw refusal("a packing alone does not tell the {} of its grains, which takes {}", name,
+                  name == "mobilisation" ? "the coefficient of friction" : "the states before it");
   return quantity.of(packing);
 }
 

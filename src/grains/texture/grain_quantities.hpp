@@ -9,8 +9,8 @@
 namespace arenite::texture {
 
 /// A number that every grain of a state has: pictures are coloured by it, and grains are compared by it. `of` is null
-/// where it takes more than the state: a state before, or the grains that the texture considers; or, with `of_spheres`,
-/// where disks do not have it; `of_spheres` is null where spheres do not. What it is called is said here alone, for
+/// where it takes more than the state: a state before, or the coefficient of friction; or, with `of_spheres`, where
+/// disks do not have it; `of_spheres` is null where spheres do not. What it is called is said here alone, for
 /// page and print.
 struct GrainQuantity {
   std::string_view name, label, symbol, unit;

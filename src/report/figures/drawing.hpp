@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -6,8 +7,8 @@
 #include <vector>
 
 #include "statistics/numbers.hpp"
-
 #include "statistics/written.hpp"
+
 /// What figures show, once for the page and for print. Labels are written as "F_{n}", "\u03c3_{norm}" (notation).
 namespace arenite::report::figures {
 
@@ -115,6 +116,21 @@ struct Cells {
   std::vector<double> values = {}, error = {};  ///< NaN where there is none
 };
 
+/// A number of grains that may stand along an axis (texture/grain_quantities.hpp): each grain's over `factor`.
+struct GrainAxis {
+  std::string quantity = {}, words = {};
+  Axis axis = {};
+  double factor = 1;
+};
+
+/// A point for each grain of a state, in the colour of its material, which is a state's own and not repeated here: any
+/// of these numbers against any other.
+struct Scatter {
+  std::vector<GrainAxis> axes = {};
+  std::string across = {}, up = {};  ///< what is shown first, and in print
+  std::size_t every = 1;             ///< one in so many grains is drawn
+};
+
 /// A number in the key, as it is written.
 struct Said {
   std::string symbol = {}, value = {}, error = {};
@@ -128,8 +144,8 @@ struct KeyEntry {
   std::string mark = {};  ///< instead of a line, as of series
 };
 
-/// One drawing of a figure: panels side by side, or roses, hemispheres, outlines or cells. A figure that follows
-/// choices has one for each.
+/// One drawing of a figure: panels side by side, or roses, hemispheres, outlines, cells or a scatter of grains. A
+/// figure that follows choices has one for each.
 struct Drawing {
   std::vector<std::pair<std::string, std::string>> chosen = {};  ///< {"component", "xx"}
   std::vector<Panel> panels = {};
@@ -138,6 +154,7 @@ struct Drawing {
   std::optional<Hemispheres> hemispheres = {};
   std::optional<Outlines> outlines = {};
   std::optional<Cells> cells = {};
+  std::optional<Scatter> scatter = {};
   std::string note = {};  ///< a sentence of what is not drawn, and why
 };
 using Drawings = std::vector<Drawing>;

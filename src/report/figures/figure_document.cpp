@@ -113,6 +113,16 @@ Numbers numbers_of(const Cells& cells, const WriteList& write) {
   return tree.list("values", cells.values, write).list("error", cells.error, write).out;
 }
 
+Numbers numbers_of(const Scatter& scatter) {
+  Numbers out{{"across", scatter.across}, {"up", scatter.up}, {"every", scatter.every}};
+  out["axes"] = mapped(scatter.axes, [](const GrainAxis& one) {
+    Numbers axis = numbers_of(one.axis);
+    axis["quantity"] = one.quantity, axis["words"] = one.words, axis["factor"] = one.factor;
+    return axis;
+  });
+  return out;
+}
+
 Numbers numbers_of(const KeyEntry& entry) {
   Tree tree;
   tree.text("name", entry.name).text("colour", entry.colour).text("mark", entry.mark);
@@ -191,6 +201,7 @@ Numbers numbers_of(const Drawing& drawing, const WriteList& write) {
   if (drawing.hemispheres) out["hemispheres"] = numbers_of(*drawing.hemispheres, write);
   if (drawing.outlines) out["outlines"] = numbers_of(*drawing.outlines, write);
   if (drawing.cells) out["cells"] = numbers_of(*drawing.cells, write);
+  if (drawing.scatter) out["scatter"] = numbers_of(*drawing.scatter);
   if (!drawing.key.empty()) out["key"] = mapped(drawing.key, [](const KeyEntry& entry) { return numbers_of(entry); });
   if (!drawing.note.empty()) out["note"] = drawing.note;
   return out;

@@ -11,6 +11,7 @@
 #include "core/mapped.hpp"
 #include "grains/packing/population.hpp"
 #include "report/figures/flow_figures.hpp"
+#include "report/figures/grains/grain_values.hpp"
 #include "report/figures/spheres/orientations.hpp"
 #include "report/figures/stage_figures.hpp"
 #include "report/figures/state_figures.hpp"
@@ -100,6 +101,8 @@ Drawings size_curve(const RunData& run) {
   return {{.panels = {panel}, .key = {{"measured", "strong"}, {"asked", "accent", {}, Line::dashed}}}};
 }
 
+Drawings scatter_of_last(const RunData& run) { return run.grains ? grain_scatter(run.grains) : Drawings{}; }
+
 }  // namespace
 
 const std::vector<Row<RunData>>& run_figures() {
@@ -109,6 +112,7 @@ const std::vector<Row<RunData>>& run_figures() {
         "of "
         "the recipe."},
        size_curve},
+      {grain_scatter_head(), scatter_of_last},
       {{"stress-path", "stress-path", "Stress path",
         "Stored states in order, with standard errors: coordination number; signed a_{c} of the contacts along the "
         "loading axis, and the stress ratio q/p.",
@@ -149,6 +153,11 @@ Drawings draw_orientations(const SphereResult& stage) {
   return drawings;
 }
 
+Drawings scatter_of_spheres(const SphereResult& stage) {
+  if (stage.snapshots.empty()) return {};
+  return grain_scatter([&](std::string_view name) { return grain_values(stage, stage.snapshots.back(), name); });
+}
+
 template <std::size_t k> Drawings draw_state(const SphereResult& stage) {
   if (!stage.texture.is_tree() || stage.snapshots.empty()) return {};
   const auto names = mapped(stage.snapshots.back().packing.materials, &Material::name);
@@ -186,6 +195,7 @@ const std::vector<Row<SphereResult>>& sphere_figures() {
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
                                                   {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
                                                   {row_of(state_figures(), of_spheres[2]).head, draw_state<2>},
+                                                  {grain_scatter_head(), scatter_of_spheres},
                                                   {row_of(state_figures(), of_spheres[3]).head, draw_state<3>},
                                                   {row_of(stage_figures(), over_time[1]).head, draw_history<1>},
                                                   {row_of(stage_figures(), over_time[2]).head, draw_history<2>},

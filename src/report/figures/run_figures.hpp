@@ -3,15 +3,17 @@
 
 #include "model/result.hpp"
 #include "report/figures/drawing.hpp"
+#include "report/figures/grains/grain_scatter.hpp"
 
 namespace arenite::report::figures {
 
-/// All states of a run: the texture of each, none where it is not known, the packing at the end and what was asked of
-/// it.
+/// All states of a run: the texture of each, none where it is not known, the packing at the end with the numbers of its
+/// grains, and what was asked of it.
 struct RunData {
   std::vector<const Numbers*> textures;
   const Packing* last = nullptr;
   Asked asked = {};
+  GrainNumbers grains = {};
 };
 
 /// Figures of a run as a whole.

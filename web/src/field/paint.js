@@ -1,7 +1,7 @@
 import { drawn } from "../drawn.js";
 import { packed } from "../theme.js";
 import { cavityColours } from "./cavities.js";
-import { clips, makeScale, sorted } from "./scale.js";
+import { clips, makeScale, sorted, usualClip } from "./scale.js";
 
 const shades = 512;
 
@@ -15,11 +15,18 @@ export function scaleOf(result, state) {
   result.orders ??= new Map();
   if (!result.orders.has(name)) result.orders.set(name, sorted(result.values(name), result.map.kind));
   const order = result.orders.get(name);
-  const { mean } = result.quantity(name);
+  const { mean, ends } = result.quantity(name),
+    clip = state.get("clip");
   const around = magnitude && state.get("around") !== "ends" ? "ends" : state.get("around");
   result.scaleKey = key;
   return (result.keptScale = {
-    ...makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean }),
+    ...makeScale(order, {
+      around,
+      symlog: state.get("law") === "symlog",
+      clip: clips[clip],
+      mean,
+      ends: clip === usualClip("nodes") ? ends : undefined,
+    }),
     order,
     mean,
     name,

@@ -1,5 +1,10 @@
+import { drawn } from "../drawn.js";
+
 /** Shares of the nodes that a colour scale may leave beyond each of its ends. */
 export const clips = { all: 0, 0.1: 0.001, 1: 0.01, 5: 0.05 };
+
+/** The one of them that the program takes of what is shown: "nodes" or "pixels". */
+export const usualClip = (of) => Object.keys(clips).find((clip) => clips[clip] === drawn().beyond[of]);
 
 /** Values of the nodes that count, in order. */
 export function sorted(values, kind) {
@@ -10,12 +15,12 @@ export function sorted(values, kind) {
 }
 
 /** A scale from values to 0..1. `around`: "mean", "zero" (diverging, both arms equally long) or "ends" (sequential);
-    symlog keeps the middle linear and squeezes the tails: asinh(v/linear)/asinh(reach/linear). */
-export function makeScale(order, { around, symlog, clip, mean }) {
+    symlog keeps the middle linear and squeezes the tails: asinh(v/linear)/asinh(reach/linear). `ends`: beyond which
+    the share `clip` lies, where the program says it. */
+export function makeScale(order, { around, symlog, clip, mean, ends }) {
   const n = order.length,
     at = (share) => order[Math.round(share * (n - 1))] ?? 0;
-  let low = at(clip),
-    high = at(1 - clip);
+  let [low, high] = ends ?? [at(clip), at(1 - clip)];
   if (!(high > low)) [low, high] = [low - (Math.abs(low) || 1), high + (Math.abs(high) || 1)];
   const centre = around === "mean" ? mean : around === "zero" ? 0 : null;
   if (centre !== null) {

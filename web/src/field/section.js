@@ -1,6 +1,7 @@
 import { forms } from "../address.js";
 import { choicesOf, resultSection } from "../result_section.js";
 import { fieldPanel } from "./panel.js";
+import { usualClip } from "./scale.js";
 
 /** What the reader may choose on the section of one result. */
 function choices(result) {
@@ -11,7 +12,7 @@ function choices(result) {
     component: tension ? "yy" : "xy",
     around: "mean",
     law: "linear",
-    clip: "0.1",
+    clip: usualClip("nodes"),
     by: "node",
     chains: false,
     threshold: 1,

@@ -4,10 +4,10 @@ import { prefixOf, text, typeset } from "../text.js";
 import { bytes, mapOfScale } from "../theme.js";
 
 /** How the coarse-grained fields are drawn, beside what the program says of them (`layers` of the document: labels,
-    symbols, units, formulas, scales of colours): `arrows` = with velocities, `closed` = from the least value. */
+    symbols, units, formulas, scales of colours): `arrows` = with velocities. */
 export const layers = {
-  solid_fraction: { closed: true },
-  density: { closed: true },
+  solid_fraction: {},
+  density: {},
   speed: { arrows: true },
   vx: {},
   vy: {},
@@ -29,7 +29,7 @@ export const known = (fields, { about }) =>
 
 export function aboutLayer(name, { layers: all }) {
   const [label, symbol, unit, formula, scale] = all[name];
-  return { ...layers[name], label, symbol, unit, formula, map: mapOfScale[scale], signed: scale === "diverging" };
+  return { ...layers[name], label, symbol, unit, formula, map: mapOfScale[scale] };
 }
 
 export function valuesOf(fields, name, about) {
@@ -38,18 +38,6 @@ export function valuesOf(fields, name, about) {
 }
 
 export const inOrder = (values) => Float64Array.from(values).filter(Number.isFinite).sort();
-
-/** Ends of the colours of values in order: all but a hundredth of the cells. */
-export function rangeOf(sorted, { signed, closed }) {
-  const at = (share) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
-  if (signed) {
-    const most = Math.max(Math.abs(at(0.01)), Math.abs(at(0.99))) || 1;
-    return [-most, most];
-  }
-  const low = closed ? at(0.01) : Math.min(0, at(0.01)),
-    high = at(0.99);
-  return high > low ? [low, high] : [low - 0.5 * Math.abs(low || 1), high + 0.5 * Math.abs(high || 1)];
-}
 
 /** The cells as a picture, one pixel a cell, which the drawing stretches. */
 function pictureOf({ columns, rows }, values, [low, high], theme, map) {
@@ -152,7 +140,7 @@ export const coarseFields = {
     const layer = aboutLayer(name, sample.about),
       { label: words, unit } = layer,
       values = valuesOf(fields, name, sample.about),
-      range = rangeOf(inOrder(values), layer),
+      range = fields.ends[name],
       [left, right, bottom, top] = fields.bounds;
     const scale = Math.min(width / (right - left), 420 / (top - bottom)),
       w = scale * (right - left),

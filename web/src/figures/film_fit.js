@@ -39,7 +39,7 @@ export const fitMaps = {
     const all = pictures(film),
       order = all[0][1].filter(Number.isFinite).sort();
     if (order.length === 0) return null;
-    const scale = { ...makeScale(order, { around: "zero", symlog: false, clip: 0.01, mean: 0 }), order };
+    const scale = { ...makeScale(order, { around: "zero", symlog: false, mean: 0, ends: film.about.fit.ends }), order };
     const { left, right, top, bottom } = around(film),
       wide = (width - 2 * gap) / 3,
       narrow = wide < 150,

@@ -46,14 +46,14 @@ export const stressMaps = {
             cx: (1 + (x[g] - box.left) * scale).toFixed(2),
             cy: (25 + (y[g] - box.top) * scale).toFixed(2),
             r: (radius[g] * scale).toFixed(2),
-            fill: stressColour(sample, theme, sample.stresses[name].sigma_norm[g]),
+            fill: stressColour(theme, sample.stresses[name].sigma_norm[g]),
           }),
         );
       group.append(disks);
       svg.append(group);
     });
     svg.append(
-      s("g", { transform: `translate(1 ${height - 51})` }, stressKey(sample, theme, Math.min(260, width - 2))),
+      s("g", { transform: `translate(1 ${height - 51})` }, stressKey(theme, Math.min(260, width - 2))),
     );
     return richSvg(svg);
   },

@@ -1,36 +1,45 @@
 import * as Plot from "@observablehq/plot";
-import { aboutQuantity, knownQuantities, topOf, valuesOf } from "../quantities.js";
+import { isKnown, valuesOf } from "../quantities.js";
 import { isPresent } from "../sample.js";
-import { prefixOf } from "../text.js";
 import { materialColour, materialLine } from "../theme.js";
 import { chart } from "./chart.js";
 import { withUnit } from "./tips.js";
 
-const most = 6000; // points that a drawing holds; of more grains every k-th is shown
+const id = "grain-scatter";
 
-function axisOf(name, sample) {
-  const { symbol, unit: si } = aboutQuantity(name, sample),
-    { factor, unit } = prefixOf(topOf(name, sample), si);
-  return { factor, axis: { label: symbol, unit } };
+/** What the program describes of it: { axes: [{ quantity, words, label, unit, factor }], across, up, every }; undefined
+    where there is nothing to draw. */
+export const scatterOf = (sample) => sample.ofRun(id)?.[0].scatter;
+
+/** The numbers that the page has of each of its grains: [[quantity, words]]. */
+export const known = (sample) =>
+  (scatterOf(sample)?.axes ?? [])
+    .filter(({ quantity }) => sample.finders[quantity] && isKnown(quantity, sample))
+    .map(({ quantity, words }) => [quantity, words]);
+
+/** What it shows at first, as print does. */
+export function begins(sample) {
+  const { across = "", up = "" } = scatterOf(sample) ?? {};
+  return { across, up };
 }
 
 /** The grains that are drawn, and always the one that is selected. */
-function shownGrains(sample, selected) {
-  const step = Math.ceil(sample.count / most),
-    shown = Array.from({ length: Math.ceil(sample.count / step) }, (_, k) => k * step);
-  return selected === null || selected % step === 0 ? shown : [...shown, selected];
+function shownGrains({ count }, every, selected) {
+  const shown = Array.from({ length: Math.ceil(count / every) }, (_, k) => k * every);
+  return selected === null || selected % every === 0 ? shown : [...shown, selected];
 }
 
 export const grainScatter = {
   follows: ["snapshot", "across", "up", "selected"],
-  when: (texture, sample) => sample.count > 1,
-  pickers: { across: ["x", knownOf], up: ["y", knownOf] },
+  when: (texture, sample) => sample.hasDrawn(id),
+  pickers: { across: ["x", known], up: ["y", known] },
   draw({ sample, state, theme, width }) {
     const snapshot = sample.snapshot(state.get("snapshot")),
-      selected = state.get("selected");
-    const [x, y] = ["across", "up"].map((key) => axisOf(state.get(key), sample)),
-      [across, up] = ["across", "up"].map((key) => valuesOf(state.get(key), sample, snapshot));
-    const points = shownGrains(sample, selected)
+      selected = state.get("selected"),
+      { axes, every } = scatterOf(sample);
+    const [x, y] = ["across", "up"].map((key) => axes.find(({ quantity }) => quantity === state.get(key))),
+      [across, up] = [x, y].map(({ quantity }) => valuesOf(quantity, sample, snapshot));
+    const points = shownGrains(sample, every, selected)
       .filter((g) => isPresent(snapshot, g))
       .map((g) => ({
         g,
@@ -44,15 +53,15 @@ export const grainScatter = {
       width,
       height: 254,
       marginLeft: 60,
-      x: { ...x.axis, nice: true, ticks: 5 },
-      y: { ...y.axis, nice: true },
+      x: { label: x.label, unit: x.unit, nice: true, ticks: 5 },
+      y: { label: y.label, unit: y.unit, nice: true },
       tips: {
         points,
         by: "both",
         lines: [
           ["", ({ name }) => name],
-          [x.axis.label, (p) => withUnit(p.x, x.axis.unit)],
-          [y.axis.label, (p) => withUnit(p.y, y.axis.unit)],
+          [x.label, (p) => withUnit(p.x, x.unit)],
+          [y.label, (p) => withUnit(p.y, y.unit)],
         ],
       },
       marks: [
@@ -78,7 +87,3 @@ export const grainScatter = {
     return svg;
   },
 };
-
-function knownOf(sample) {
-  return knownQuantities(sample).map(([name, { label }]) => [name, label]);
-}

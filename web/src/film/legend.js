@@ -1,9 +1,10 @@
 import { bar, colourBar } from "../colour_bar.js";
 import { label, richSvg, s } from "../dom.js";
+import { drawn } from "../drawn.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialLine } from "../theme.js";
-import { barWidth, magnification, stressTop } from "./overlay.js";
+import { barWidth, magnification } from "./overlay.js";
 import { scaleOf } from "./paint.js";
 
 export const legendHeight = 92;
@@ -15,7 +16,7 @@ export function legend(film, camera, theme, state, width) {
   const length = Math.max(150, Math.min(420, width - 150)),
     how = state.get("grains");
   group.append(
-    how === "stress" ? stressKey(film, theme, Math.min(260, length)) : mapKey(film, state, theme, length),
+    how === "stress" ? stressKey(theme, Math.min(260, length)) : mapKey(film, state, theme, length),
     lineKey(film, camera, theme, state),
   );
   const { pixel } = film.about.film;
@@ -46,8 +47,8 @@ function mapKey(film, state, theme, length) {
   );
 }
 
-export function stressKey(film, theme, length) {
-  const top = stressTop(film),
+export function stressKey(theme, length) {
+  const top = drawn().most_stress.grains,
     at = (v) => (v / top) * length;
   return s(
     "g",

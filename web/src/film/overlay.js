@@ -1,21 +1,12 @@
 import { s } from "../dom.js";
-import { widthOfForce } from "../drawn.js";
+import { drawn, widthOfForce } from "../drawn.js";
 import { materialLine } from "../theme.js";
 
 const bright = 0.4; // pixels of the film, around bars
 
-/** Top of the scale of sigma_norm: all but a few grains lie below, in the film and in the simulation alike. */
-export function stressTop(film) {
-  if (film.stressTop) return film.stressTop;
-  const highs = Object.values(film.stresses).map(({ sigma_norm: values }) => {
-    const sorted = values.filter(Number.isFinite).sort();
-    return sorted[Math.floor(0.99 * (sorted.length - 1))] ?? 1;
-  });
-  return (film.stressTop = Math.max(1, Math.ceil(2 * Math.max(...highs)) / 2));
-}
-
-export function stressColour(film, theme, value) {
-  return Number.isFinite(value) ? theme.stress(Math.min(1, Math.max(0, value / stressTop(film)))) : theme.field.aside;
+export function stressColour(theme, value) {
+  if (!Number.isFinite(value)) return theme.field.aside;
+  return theme.stress(Math.min(1, Math.max(0, value / drawn().most_stress.grains)));
 }
 
 /** Width of a contact's bar in pixels of the film. */
@@ -58,7 +49,7 @@ function grains(film, how, theme) {
   };
   if (how === "stress")
     circles((g) => ({
-      fill: stressColour(film, theme, film.stresses.film?.sigma_norm[g]),
+      fill: stressColour(theme, film.stresses.film?.sigma_norm[g]),
       stroke: theme.ink,
       "stroke-width": 0.8,
       "stroke-opacity": 0.45,

@@ -1,4 +1,4 @@
-import { clips, makeScale } from "../field/scale.js";
+import { clips, makeScale, usualClip } from "../field/scale.js";
 import { bytes, packed } from "../theme.js";
 import { faintness } from "./maps.js";
 
@@ -22,12 +22,19 @@ export function scaleOf(film, state) {
   film.orders ??= new Map();
   if (!film.orders.has(name)) film.orders.set(name, film.values(name).filter(Number.isFinite).sort());
   const order = film.orders.get(name),
-    { cyclic, around } = film.about.maps[name];
+    { cyclic, around, ends } = film.about.maps[name],
+    clip = state.get("clip");
   film.scaleKey = key;
   return (film.keptScale = {
     ...(cyclic
       ? circle
-      : makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean: 0 })),
+      : makeScale(order, {
+          around,
+          symlog: state.get("law") === "symlog",
+          clip: clips[clip],
+          mean: 0,
+          ends: clip === usualClip("pixels") ? ends : undefined,
+        })),
     order,
     name,
   });

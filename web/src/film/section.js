@@ -1,4 +1,5 @@
 import { h } from "../dom.js";
+import { usualClip } from "../field/scale.js";
 import { textureCard } from "../packing/texture.js";
 import { choicesOf, resultSection } from "../result_section.js";
 import { capital } from "../text.js";
@@ -13,7 +14,7 @@ function choices(film) {
   return {
     map,
     law: "linear",
-    clip: "1",
+    clip: usualClip("pixels"),
     grains: film.count ? "rims" : "off",
     forces: false,
     motion: false,

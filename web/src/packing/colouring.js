@@ -1,3 +1,4 @@
+import { drawn } from "../drawn.js";
 import { prefixOf } from "../text.js";
 import { bytes, mapOfScale, materialColour } from "../theme.js";
 import { aboutQuantity, isKnown, topOf, valuesOf } from "../quantities.js";
@@ -23,7 +24,7 @@ export const colourings = {
   },
   size: { range: (sample) => extent(sample.radius).map((r) => 2 * r), closed: true },
   stress: {
-    range: (sample) => [0, Math.max(1, Math.ceil(2 * topOf("stress", sample)) / 2)],
+    range: () => [0, drawn().most_stress.grains],
   },
   pressure: { range: fromZero("pressure") },
   deviator: { range: fromZero("deviator") },

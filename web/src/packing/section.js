@@ -2,9 +2,9 @@ import { forms, keepInAddress } from "../address.js";
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { layers } from "../figures/coarse_fields.js";
+import { begins, known } from "../figures/grain_scatter.js";
 import { figuresOf } from "../figures/index.js";
 import { grainTable } from "../grain_table.js";
-import { knownQuantities } from "../quantities.js";
 import { State } from "../state.js";
 import { colouringsOf } from "./colouring.js";
 import { packingPanel } from "./panel.js";
@@ -23,15 +23,14 @@ function begin(sample, page) {
     scales: {}, // what the reader changed of the colours, by colouring
     selected: null, // the grain that was clicked, in the picture, the table or a chart
     pointed: null, // the grain whose row or point the pointer is on
-    across: "size",
-    up: "stress",
+    ...begins(sample),
     field: sample.fields(sample.snapshotCount - 1)?.vx ? "speed" : "solid_fraction",
   });
 }
 
 /** What a link to the page keeps of the reader's choice. */
 function keep(sample, state) {
-  const names = knownQuantities(sample).map(([name]) => name);
+  const names = known(sample).map(([name]) => name);
   keepInAddress(state, {
     snapshot: forms.whole(sample.snapshotCount),
     colour: forms.word(colouringsOf(sample).map(([mode]) => mode)),

@@ -1,7 +1,7 @@
 import { unpack } from "../block.js";
 import { decodeField } from "../field/decode.js";
 import { linearScale } from "../field/scale.js";
-import { aboutLayer, inOrder, known, rangeOf, valuesOf } from "../figures/coarse_fields.js";
+import { aboutLayer, inOrder, known, valuesOf } from "../figures/coarse_fields.js";
 import { text } from "../text.js";
 
 /** The coarse-grained fields of one state, on cells of its container (x fastest, then y, then z); each is decoded when
@@ -79,8 +79,8 @@ export class CoarseFields {
     const about = aboutLayer(name, this.about),
       there = known(this.state, this).some(([one]) => one === name),
       values = there ? valuesOf(this.state, name, this.about) : this.#still(),
-      order = inOrder(values);
-    return (this.#layer = { key, ...about, values, scale: linearScale(order, rangeOf(order, about)) });
+      ends = this.state.ends[name] ?? [-1, 1];
+    return (this.#layer = { key, ...about, values, scale: linearScale(inOrder(values), ends) });
   }
   #still() {
     return Float32Array.from({ length: this.state.size }, (_, k) => (this.state.reached?.[k] === 0 ? NaN : 0));

@@ -88,9 +88,6 @@ export class SphereResult extends DescribedResult {
   abscissaOf(sphere, what) {
     return what === "diameter" ? 2 * this.last.radius[sphere] : this.last.stress?.[sphere];
   }
-  get isOfOneSize() {
-    return this.last.radius.every((r) => r === this.last.radius[0]);
-  }
   get hasForces() {
     return this.#has("forces");
   }

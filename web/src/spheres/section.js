@@ -2,6 +2,7 @@ import { forms } from "../address.js";
 import { choice, toggle } from "../choice.js";
 import { h } from "../dom.js";
 import { only, scaleChoices } from "../field/scale_controls.js";
+import { begins, known } from "../figures/grain_scatter.js";
 import { grainTable } from "../grain_table.js";
 import { choicesOf, resultSection } from "../result_section.js";
 import { timeline } from "../packing/timeline.js";
@@ -13,8 +14,6 @@ import { text } from "../text.js";
 import { fieldSlices } from "./field_slices.js";
 import { cuts } from "./result.js";
 import { SphereView } from "./view.js";
-
-const firstKnown = (result, quantities) => quantities.find((id) => id in result.finders) ?? "size";
 
 /** What the reader may choose, as it is in the beginning: of coarse-grained fields slices through their middle. */
 export const choices = (result, fields = null) => ({
@@ -32,8 +31,7 @@ export const choices = (result, fields = null) => ({
   spheres: true,
   selected: null, // the sphere that was clicked, in the picture, the table or a chart
   pointed: null, // the sphere whose row or point the pointer is on
-  across: firstKnown(result, result.isOfOneSize ? ["coordination", "x"] : ["size"]),
-  up: firstKnown(result, ["pressure", "y"]),
+  ...begins(result),
   ...firstLook(),
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, cuts[1]])),
   ...(fields && {
@@ -52,8 +50,8 @@ const kept = (result, fields) => ({
   ...(result.hasBoundaries && { boundaries: forms.truth }),
   spheres: forms.truth,
   selected: forms.whole(result.count),
-  across: forms.word(Object.keys(result.finders)),
-  up: forms.word(Object.keys(result.finders)),
+  across: forms.word(known(result).map(([name]) => name)),
+  up: forms.word(known(result).map(([name]) => name)),
   ...lookForms,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, forms.between(...cuts, true)])),
   ...(fields && {

@@ -1,4 +1,5 @@
 import { forms } from "../address.js";
+import { usualClip } from "../field/scale.js";
 import { choicesOf, resultSection } from "../result_section.js";
 import { axes } from "../space/frame.js";
 import { slicesCard } from "../space/slices.js";
@@ -16,7 +17,7 @@ function choices(result) {
     component: result.loaded,
     around: "mean",
     law: "linear",
-    clip: "0.1",
+    clip: usualClip("nodes"),
     norm: "sample",
     matrix: true,
     particle: true,

@@ -177,6 +177,26 @@ test("every figure is drawn and saved as a whole SVG", async (page) => {
   }
 });
 
+test("grains are set against each other by the numbers, and in the units, that the program says", async (page) => {
+  const { scatter, across, up, options } = await page.evaluate(() => {
+    const { sample, state } = window.arenite,
+      options = [...document.querySelectorAll('[data-pick="up"] option')].map(({ value }) => value);
+    const { scatter } = sample.ofRun("grain-scatter")[0];
+    return { scatter, across: state.get("across"), up: state.get("up"), options };
+  });
+  assert.deepEqual([across, up], [scatter.across, scatter.up]);
+  const quantities = scatter.axes.map(({ quantity }) => quantity);
+  assert.ok(options.length > 5 && options.every((one) => quantities.includes(one)), `${options}`);
+  const figure = page.locator('[data-figure="grain-scatter"]');
+  await figure.scrollIntoViewIfNeeded();
+  await page.selectOption('[data-pick="up"]', "pressure");
+  await settle(page);
+  const { label, unit } = scatter.axes.find(({ quantity }) => quantity === "pressure");
+  const words = await figure.locator('[aria-label="y-axis label"]').first().textContent();
+  assert.ok(words.includes(label) && words.includes(unit), `${words} has no ${unit}`);
+  await page.selectOption('[data-pick="up"]', up);
+});
+
 test("the packing is saved as SVG with every grain and as PNG at twice the size", async (page) => {
   const save = (label) => saved(page, `.packing .save:has-text("${label}")`);
   const count = await page.evaluate(() => {
