@@ -4,6 +4,8 @@ import base64
 import html
 import io
 
+from . import _core
+
 
 def _picture(name, *objects, **options):
     """The picture drawn by `arenite.figures.NAME`; empty without Matplotlib, so that the numbers are shown in any
@@ -30,15 +32,11 @@ def _table(rows):
     return f"<table>{cells}</table>"
 
 
-def _measured(statistic, unit="", scale=1.0):
+def _measured(statistic):
     if not statistic or statistic.get("value") is None:
         return "unknown"
     error = statistic.get("error")
-    return (
-        f"{statistic['value'] * scale:.4g}"
-        + (f" ± {error * scale:.2g}" if error else "")
-        + (f" {unit}" if unit else "")
-    )
+    return _core._with_error(statistic["value"], float("nan") if error is None else error).replace("+-", "±")
 
 
 def packing(self):

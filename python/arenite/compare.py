@@ -217,7 +217,7 @@ def number(value):
 
 
 def with_error(value, error):
-    return number(value) if math.isnan(error) or math.isnan(value) else f"{value:.4g} ± {error:.2g}"
+    return number(value) if math.isnan(value) else _core._with_error(value, error).replace("+-", "±")
 
 
 def in_errors(row):

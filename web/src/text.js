@@ -1,3 +1,5 @@
+import { drawn } from "./drawn.js";
+
 const minus = (text) => text.replace("-", "\u2212");
 
 /** Numbers and names as they are written on the page. */
@@ -27,7 +29,7 @@ export const text = {
   withError(value, error) {
     if (!Number.isFinite(value)) return { value: "\u2013", error: "" };
     if (!(error > 1e-7 * Math.abs(value))) return { value: text.number(value, 4), error: "" };
-    const decimals = Math.min(8, Math.max(0, 1 - Math.floor(Math.log10(error))));
+    const decimals = Math.min(8, Math.max(0, decimalsOf(error)));
     return { value: minus(value.toFixed(decimals)), error: error.toFixed(decimals) };
   },
 
@@ -43,6 +45,12 @@ export const text = {
     return material?.name ?? "?";
   },
 };
+
+/** How many decimals show two digits of an error, as it is once rounded (statistics/written.hpp). */
+function decimalsOf(error) {
+  const decimals = 1 - Math.floor(Math.log10(error));
+  return Math.round(error * 10 ** decimals) >= 100 ? decimals - 1 : decimals;
+}
 
 /** As a heading begins. */
 export const capital = (words) => words[0].toUpperCase() + words.slice(1);
@@ -63,26 +71,17 @@ export const typeset = (unit) =>
     .replace(/\^(-?\d+)/g, (_, power) => superscript(power))
     .replaceAll(" ", "\u2009");
 
-const scaled = ["N", "Pa", "J", "m", "s", "N/m", "J/m", "Pa m^0.5", "W", "K"];
-const prefixes = [
-  [1e9, "G"],
-  [1e6, "M"],
-  [1e3, "k"],
-  [1, ""],
-  [1e-3, "m"],
-  [1e-6, "\u00b5"],
-  [1e-9, "n"],
-];
-
-/** The prefix under which a number of this size is written, and the unit with it. */
+/** The prefix under which a number of this size is written, by the program's table, and the unit with it. */
 export function prefixOf(size, unit) {
-  if (!(size > 0) || !scaled.includes(unit)) return { factor: 1, prefix: "", unit: typeset(unit) };
-  const [factor, prefix] = prefixes.find(([f]) => size >= f * 0.9995) ?? prefixes.at(-1);
+  const { prefixed, prefixes, from } = drawn().units;
+  if (!(size > 0) || !prefixed.includes(unit)) return { factor: 1, prefix: "", unit: typeset(unit) };
+  const [factor, prefix] = prefixes.find(([f]) => size >= f * from) ?? prefixes.at(-1);
   return { factor, prefix, unit: prefix + typeset(unit) };
 }
 
 /** What a unit with its prefix is in the one without: 1e-3 of "mm". */
 export function factorOf(unit) {
-  const [factor] = prefixes.find(([, prefix]) => scaled.some((bare) => prefix + typeset(bare) === unit)) ?? [1];
+  const { prefixed, prefixes } = drawn().units;
+  const [factor] = prefixes.find(([, prefix]) => prefixed.some((bare) => prefix + typeset(bare) === unit)) ?? [1];
   return factor;
 }

@@ -189,14 +189,8 @@ def note(axes, words, at, coordinates, offset, **options):
     axes.annotate(words, at, xycoords=coordinates, xytext=offset, textcoords="offset points", **style, **options)
 
 
-def scaled(largest, unit):
-    """A factor and the unit with the prefix that makes `largest` a convenient number: (1e3, "kN")."""
-    if unit in ("DL", ""):  # neither digital levels nor plain numbers have a prefix
-        return 1, unit
-    for factor, prefix in [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]:
-        if abs(largest) >= factor:
-            return factor, prefix + unit
-    return 1, unit
+# A factor and the unit with the prefix that makes the largest of numbers a convenient one: (1e3, "kN").
+scaled = _core._scale_of
 
 
 def bare(axes):
