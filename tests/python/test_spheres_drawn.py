@@ -69,12 +69,13 @@ def test_numbers_of_spheres_are_those_of_their_contacts(pressed):
 
 def test_displacements_of_spheres_go_on_across_periodic_sides(pressed):
     shots = shots_of(pressed, "axial")
-    ways = motion.displacements(shots)
+    ways = arenite.displacements([shot.packing for shot in shots])
     assert not ways[0].any() and ways[-1].shape == (120, 3)
     step = shots[-1].packing.position - shots[0].packing.position
     cells = (ways[-1] - step) / np.array(shots[-1].packing.domain["size"])
     assert np.allclose(cells, np.round(cells), atol=1e-9)
-    assert np.linalg.norm(ways[-1], axis=1).max() < 5e-3
+    drawn = motion.displacements(shots)[-1]
+    assert drawn == pytest.approx(np.linalg.norm(ways[-1], axis=1)) and drawn.max() < 5e-3
 
 
 @pytest.mark.parametrize("by", [by for by in animate.colourings if by != "rotation"])

@@ -24,7 +24,7 @@ export class Sample {
     const { id, radius, material, zone, shapes } = unpacked(block, about.grains ?? {});
     Object.assign(this, { id, radius, material, zone, shapes });
     this.types = contactTypes(this.materials);
-    this.meanRadius = this.count ? this.radius.reduce((sum, r) => sum + r, 0) / this.count : 1;
+    this.meanRadius = about.grains?.mean_radius || 1;
     this.materialCounts = this.materials.map((_, m) =>
       this.count ? this.material.reduce((sum, other) => sum + (other === m), 0) : 0,
     );

@@ -1,4 +1,5 @@
 import { h, rich } from "./dom.js";
+import { drawn } from "./drawn.js";
 import { boundaryElement } from "./packing/chains.js";
 import { materialColour, pairColour } from "./theme.js";
 import { text } from "./text.js";
@@ -58,7 +59,7 @@ function grainNumbers(g, sample, snapshot, theme) {
 function sideName(snapshot, side) {
   return side > 3
     ? boundaryElement(snapshot, side - 4).boundary.name
-    : `${["left", "right", "bottom", "top"][side]} wall`;
+    : `${drawn().sides[side]} wall`;
 }
 
 function contactNumbers(c, sample, snapshot, theme) {

@@ -31,9 +31,8 @@ def by_stage(of):
 
 @by_stage
 def displacements(shots):
-    """Displacements of grains since the first state of the stage, m, (n, 2) or (n, 3) for each; without the shear of a
-    cell."""
-    return _core.displacements([shot.packing for shot in shots], [shot.sheared for shot in shots])
+    """How far grains have gone since the first state of the stage, m, for each; without the shear of a cell."""
+    return _core._sizes_of_displacements([shot.packing for shot in shots], [shot.sheared for shot in shots])
 
 
 @by_stage
@@ -92,9 +91,7 @@ colourings = {
     "deviator": by_quantity("deviator", 0.0),
     "z": by_quantity("coordination"),
     "velocity": by_quantity("speed", 0.0),
-    "displacement": Colouring(
-        "displacement", lambda shots: [np.linalg.norm(way, axis=1) for way in displacements(shots)], low=0.0
-    ),
+    "displacement": Colouring("displacement", displacements, low=0.0),
     "rotation": Colouring("rotation", rotations),
     "mobilisation": Colouring("mobilisation", each(mobilisation), low=0.0, high=1.0),
 }
@@ -166,7 +163,7 @@ def chains(axes, packing, mean, scale):
     tensile ones red, by its `scale`. White rims distinguish them from dark grains."""
     c = packing.contacts
     kinds = kinds_of(c.fn, scale, np.zeros(len(c), bool))
-    width = widths_of_forces(c.fn, mean, np.mean(packing.radius))
+    width = widths_of_forces(c.fn, mean, _core._mean_radius(packing))
     drawn = []
     for kind in ("weak", "strong", "tension"):
         of = kinds == kind

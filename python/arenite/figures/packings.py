@@ -114,13 +114,13 @@ def draw_forces(axes, packing, mean=None, uncertain=None):
     scale = _core._force_scale(packing, np.nan if mean is None else mean, uncertain.astype(np.uint8))
     mean = scale[0] or 1.0
     kinds = kinds_of(c.fn, scale, uncertain)
-    width = widths_of_forces(c.fn, mean, np.mean(packing.radius))
+    width = widths_of_forces(c.fn, mean, _core._mean_radius(packing))
     for kind, colour in kind_colours.items():
         drawn = [
             bars(start[kinds == kind], end[kinds == kind], width[kinds == kind]) for start, end in segments(packing)
         ]
         axes.add_collection(PolyCollection(np.concatenate(drawn), facecolor=colour, linewidth=0))
-    force_scale(axes, at, widths_of_forces(mean, mean, np.mean(packing.radius)), mean)
+    force_scale(axes, at, widths_of_forces(mean, mean, _core._mean_radius(packing)), mean)
     key_below(axes, [patch(colour, kind) for kind, colour in kind_colours.items() if np.any(kinds == kind)])
 
 

@@ -168,7 +168,7 @@ def force_bars(axes, packing, mean, scale):
     order = np.argsort(seen(start + end)[:, 2], kind="stable")
     start, end, fn = seen(start[order])[:, :2], seen(end[order])[:, :2], fn[order]
     kinds = kinds_of(fn, scale, np.zeros(len(fn), bool))
-    width = widths_of_forces(fn, mean, np.mean(packing.radius))
+    width = widths_of_forces(fn, mean, _core._mean_radius(packing))
     colours = [kind_colours[kind] for kind in kinds]
     return axes.add_collection(
         PolyCollection(bars(start, end, width), facecolor=colours, edgecolor="white", linewidth=0.15), autolim=False

@@ -1,6 +1,7 @@
 import { plain } from "../dom.js";
 
-const quoted = (word) => (/[",\n]/.test(word) ? `"${word.replaceAll('"', '""')}"` : word);
+/** A word as a cell of a table of values parted by commas. */
+export const quoted = (word) => (/[",\n]/.test(word) ? `"${word.replaceAll('"', '""')}"` : word);
 
 function written(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return "";

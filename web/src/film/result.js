@@ -17,7 +17,7 @@ export class FilmResult extends DescribedResult {
     for (const [name, source] of Object.entries(this.stresses))
       source.statistics = about.numbers.stresses?.[name] ?? {};
     this.meanForce = about.force_scale.mean;
-    this.meanRadius = meanOf(this.grains.radius ?? []) || 1;
+    this.meanRadius = this.grains.mean_radius || 1;
   }
 
   get count() {
@@ -76,8 +76,4 @@ export class FilmResult extends DescribedResult {
     if (about.holes) for (const k of unpack(this.#block, about.holes)) values[k] = NaN;
     return values;
   }
-}
-
-function meanOf(values) {
-  return values.length ? values.reduce((sum, v) => sum + v, 0) / values.length : 0;
 }

@@ -1,3 +1,4 @@
+import { drawn } from "../drawn.js";
 import { materialColour } from "../theme.js";
 import { capital, prefixOf, text } from "../text.js";
 
@@ -52,9 +53,9 @@ function grainRows(film, g) {
   return rows;
 }
 
-/** "Contact 12 – 40", "Contact 3 – lower wall". */
+/** "Contact 12 – 40", "Contact 3 – bottom wall". */
 export function contactName({ contacts: { i, j }, grains: { id }, count }, c) {
-  const other = j[c] < count ? id[j[c]] : `${["left", "right", "lower", "upper"][j[c] - count]} wall`;
+  const other = j[c] < count ? id[j[c]] : `${drawn().sides[j[c] - count]} wall`;
   return `Contact ${id[i[c]]}\u2009\u2013\u2009${other}`;
 }
 

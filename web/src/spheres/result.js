@@ -70,7 +70,7 @@ export class SphereResult extends DescribedResult {
     return this.state.container.size;
   }
   get meanRadius() {
-    return this.state.radius.reduce((sum, r) => sum + r, 0) / Math.max(1, this.count);
+    return this.state.mean_radius;
   }
   get materials() {
     return this.state.materials;
@@ -167,6 +167,7 @@ const nothing = {
   y: [],
   z: [],
   radius: [],
+  mean_radius: 0,
   material: [],
   quantities: {},
 };
@@ -198,10 +199,11 @@ function opened(state, last) {
   };
 }
 
-const inherited = ({ materials, id, radius, material, quantities }) => ({
+const inherited = ({ materials, id, radius, mean_radius, material, quantities }) => ({
   materials,
   id,
   radius,
+  mean_radius,
   material,
   quantities,
 });

@@ -1,4 +1,5 @@
 import { h, plain, rich } from "../dom.js";
+import { quoted } from "../figures/csv.js";
 import { fileName, saveText } from "../save.js";
 import { text } from "../text.js";
 
@@ -8,8 +9,6 @@ function written(number) {
   const { value, error } = text.withError(number[0], number[1] ?? NaN);
   return [value, error && h("small", {}, ` \u00b1 ${error}`)];
 }
-
-const quoted = (word) => (/[",\n]/.test(word) ? `"${word.replaceAll('"', '""')}"` : word);
 
 /** Every run of the study with what was swept and its main numbers, sorted by a click on a column header; what a run
     was given leads to its page, or its name where nothing was swept. */
