@@ -12,7 +12,7 @@
 namespace arenite::statistics {
 namespace {
 
-constexpr std::array prefixed{"N", "Pa", "J", "m", "s", "N/m", "J/m", "Pa m^0.5", "W", "K", "g"};
+constexpr std::array prefixed{"N", "Pa", "J", "m", "s", "N/m", "J/m", "m/s", "Pa m^0.5", "W", "K", "g"};
 constexpr std::array<std::pair<double, const char*>, 7> prefixes{
     {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "\u00b5"}, {1e-9, "n"}}};
 constexpr double from = 0.9995;  // which three digits write as the factor itself

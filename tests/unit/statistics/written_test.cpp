@@ -14,6 +14,7 @@ TEST(Written, AUnitHasThePrefixThatSuitsTheNumbers) {
   EXPECT_EQ(scale_of(2e6, "Pa m^0.5").unit, "MPa\u2009m^{1/2}");
   EXPECT_EQ(scale_of(5e-10, "m").unit, "nm");
   EXPECT_EQ(scale_of(5e-10, "m").factor, 1e-9);
+  EXPECT_EQ(scale_of(5e-2, "m/s").unit, "mm/s");
   EXPECT_EQ(scale_of(1e6, "DL").unit, "DL");
   EXPECT_EQ(scale_of(1e6, "1/s^2").unit, "1/s\u00b2");
 }
