@@ -56,6 +56,7 @@ def numbers_of_the_packing_behind(monkeypatch):
             _sizes_of_displacements=lambda packings, strain: arenite._core._sizes_of_displacements(
                 [own(one) for one in packings], strain
             ),
+            _mean_radius=lambda packing: arenite._core._mean_radius(own(packing)),
             _rotations=lambda packings: [one.angle - packings[0].angle for one in packings],
             _at_time=arenite._core._at_time,
             _force_scale=lambda stage, state: arenite._core._force_scale(own(state.packing)),
