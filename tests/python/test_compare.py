@@ -96,7 +96,7 @@ def test_parts_are_paired_by_name_and_others_by_their_place():
 def test_the_table_says_what_is_beyond(tmp_path):
     found = compare.rows(a_result({"z": measured(3.0, 0.1), "n": 5}), a_result({"z": measured(4.0, 0.1), "n": 6}))
     assert "1 of 1 numbers" in compare.summary(found) and "1 differ but have no error" in compare.summary(found)
-    assert re.search(r"z +3 ± 0.1 +4 ± 0.1 +1 +\+7.1 +beyond errors", compare.text_table(found))
+    assert re.search(r"z +3.00 ± 0.10 +4.00 ± 0.10 +1 +\+7.1 +beyond errors", compare.text_table(found))
     compare.save_table(found, tmp_path / "t.csv")
     with open(tmp_path / "t.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))

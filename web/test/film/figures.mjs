@@ -78,7 +78,8 @@ test("every figure is drawn and saved as a whole SVG, and its choices redraw it"
   for (const name of names) {
     const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]:visible`)).toString("utf8");
     assert.ok(source.match(/<(path|rect|circle|line)/g).length > 5, `${name} is bare`);
-    assert.doesNotMatch(source, /NaN|undefined|var\(--/, name);
+    const words = source.replace(/"data:[^"]*"/g, ""); // without pictures, whose letters mean nothing
+    assert.doesNotMatch(words, /NaN|undefined|var\(--/, name);
   }
   for (const [name, key, value] of [
     ["film-simulation", "companion", "state"],
