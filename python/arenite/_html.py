@@ -36,7 +36,7 @@ def _measured(statistic):
     if not statistic or statistic.get("value") is None:
         return "unknown"
     error = statistic.get("error")
-    return _core._with_error(statistic["value"], float("nan") if error is None else error).replace("+-", "±")
+    return _core._with_error(statistic["value"], float("nan") if error is None else error)
 
 
 def packing(self):

@@ -217,7 +217,7 @@ def number(value):
 
 
 def with_error(value, error):
-    return number(value) if math.isnan(value) else _core._with_error(value, error).replace("+-", "±")
+    return number(value) if math.isnan(value) else _core._with_error(value, error)
 
 
 def in_errors(row):

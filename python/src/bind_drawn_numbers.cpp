@@ -171,9 +171,12 @@ void bind_written(py::module_& m) {
   m.def(
       "_with_error",
       [](double value, double error) {
-        return statistics::with_error({value, error});
+        std::string text = statistics::with_error({value, error});
+        if (const auto sign = text.find("+-"); sign != text.npos) text.replace(sign, 2, "\u00b1");
+        return text;
       },
-      py::arg("value"), py::arg("error"), "\"0.842 +- 0.003\", as texts have it; without an error the value alone.");
+      py::arg("value"), py::arg("error"),
+      "\"0.842 \u00b1 0.003\", as texts have it; without an error the value alone.");
 }
 
 }  // namespace

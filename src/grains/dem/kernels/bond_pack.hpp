@@ -34,30 +34,39 @@ template <int W> ARENITE_INLINE Pack<W> picked_numbers(const double* values, con
   return numbers;
 }
 
+/// The lines from j to i of W bonds from p on.
+template <int W, int D> struct BondLine {
+  using V = Pack<W>;
+  Vec<D, V> normal;
+  V distance, inverse;  ///< inverse: 1 over the distance
+
+  ARENITE_INLINE BondLine(const BondTask<D>& t, std::size_t p) {
+    const Vec<D, V> branch =
+        places<W>(t.record, t.i + p) - places<W>(t.record, t.j + p) - numbers_of<W>(t.row[p / 8].image, p);
+    const V squared = dot(branch, branch);
+    distance = sqrt(squared);
+    inverse = distance * (V(1.0) / squared);
+    normal = inverse * branch;
+  }
+};
+
 /// How W bonds from p on are strained; the same as beam_motion says of one.
 template <int W, int D> struct BondPack;
 
-template <int W> struct BondPack<W, 2> {
+template <int W> struct BondPack<W, 2> : BondLine<W, 2> {
   using V = Pack<W>;
+  using BondLine<W, 2>::normal, BondLine<W, 2>::distance, BondLine<W, 2>::inverse;
   BeamArms<V> arms;
   BeamOf<V> beam;
   BeamStrain<V> strain;
-  Vec<2, V> normal;
-  V inverse, strength;     ///< 1 over the distance
+  V strength;
   typename V::Truths far;  ///< has turned far since the list was built
 
-  ARENITE_INLINE BondPack(const BondTask<2>& t, std::size_t p) {
+  ARENITE_INLINE BondPack(const BondTask<2>& t, std::size_t p) : BondLine<W, 2>(t, p) {
     const auto& b = t.row[p / 8];
     const auto of_bonds = [p](const auto& numbers) { return numbers_of<W>(numbers, p); };
     const std::int32_t *i = t.i + p, *j = t.j + p;
-    const V zero(0.0), one(1.0);
-    Vec<2, V> place_i, place_j;
-    gather<W>([=](int k) { return &t.record[i[k]].place.x; }, place_i);
-    gather<W>([=](int k) { return &t.record[j[k]].place.x; }, place_j);
-    const Vec<2, V> branch = place_i - place_j - of_bonds(b.image), before = of_bonds(b.normal);
-    const V squared = dot(branch, branch), distance = sqrt(squared);
-    inverse = distance * (one / squared);
-    normal = inverse * branch;
+    const Vec<2, V> before = of_bonds(b.normal);
     const V sine = cross(before, normal), cosine = dot(before, normal), turned = small_angle(sine);
     const V turn_i = picked_numbers<W>(t.attitude, i) - of_bonds(b.angle_i) - turned,
             turn_j = picked_numbers<W>(t.attitude, j) - of_bonds(b.angle_j) - turned;
@@ -66,23 +75,17 @@ template <int W> struct BondPack<W, 2> {
             of_bonds(b.beam.per_area), of_bonds(b.beam.per_section), of_bonds(b.beam.friction)};
     strain = arms.strain(distance, turn_i, turn_j);
     strength = of_bonds(b.strength);
-    far = ~(abs(sine) <= V(0.15)) | ~(cosine > zero);
+    far = ~(abs(sine) <= V(0.15)) | ~(cosine > V(0.0));
   }
   /// Of its dashpots.
   ARENITE_INLINE BeamForce<V> damping(const BondTask<2>& t, std::size_t p) const {
     const auto& b = t.row[p / 8];
     const auto of_bonds = [p](const auto& numbers) { return numbers_of<W>(numbers, p); };
-    const std::int32_t *i = t.i + p, *j = t.j + p;
-    Vec<2, V> velocity_i, velocity_j;
-    V omega_i, omega_j, radius;
-    gather<W>([=](int k) { return &t.record[i[k]].velocity.x; }, velocity_i);
-    gather<W>([=](int k) { return &t.record[j[k]].velocity.x; }, velocity_j);
-    gather<W>([=](int k) { return &t.record[i[k]].omega; }, omega_i, radius);
-    gather<W>([=](int k) { return &t.record[j[k]].omega; }, omega_j, radius);
-    const Vec<2, V> u = velocity_i - velocity_j - of_bonds(b.image_velocity);
+    const GrainPack<W, 2> at_i(t.record, t.i + p), at_j(t.record, t.j + p);
+    const Vec<2, V> u = at_i.velocity - at_j.velocity - of_bonds(b.image_velocity);
     const BeamDashpots<V> dashpots{of_bonds(b.dashpots.normal), of_bonds(b.dashpots.shear),
                                    of_bonds(b.dashpots.bending)};
-    return dashpots.force(arms.rate(dot(u, normal), cross(normal, u) * inverse, omega_i, omega_j));
+    return dashpots.force(arms.rate(dot(u, normal), cross(normal, u) * inverse, at_i.omega, at_j.omega));
   }
   ARENITE_INLINE void put(const BeamForce<V>& force, SlotForce<2>* to) const {
     const BeamPull<V> pull = arms.pull(force, normal, force.shear * arms.length * inverse);
@@ -90,30 +93,21 @@ template <int W> struct BondPack<W, 2> {
   }
 };
 
-template <int W> struct BondPack<W, 3> {
+template <int W> struct BondPack<W, 3> : BondLine<W, 3> {
   using V = Pack<W>;
+  using BondLine<W, 3>::normal, BondLine<W, 3>::distance, BondLine<W, 3>::inverse;
   RoundArms<V> arms;
   RoundBeamOf<V> beam;
   RoundStrainOf<V> strain;
   RoundEnds<V> ends;
-  Vec<3, V> normal;
-  V inverse, strength;
+  V strength;
   typename V::Truths far;  ///< is twisted far
 
-  ARENITE_INLINE BondPack(const BondTask<3>& t, std::size_t p) {
+  ARENITE_INLINE BondPack(const BondTask<3>& t, std::size_t p) : BondLine<W, 3>(t, p) {
     const auto& b = t.row[p / 8];
     const auto of_bonds = [p](const auto& numbers) { return numbers_of<W>(numbers, p); };
-    const std::int32_t *i = t.i + p, *j = t.j + p;
     const V zero(0.0), one(1.0);
-    Vec<3, V> place_i, place_j;
-    V velocity;
-    gather<W>([=](int k) { return &t.record[i[k]].place.x; }, place_i.x, place_i.y, place_i.z, velocity);
-    gather<W>([=](int k) { return &t.record[j[k]].place.x; }, place_j.x, place_j.y, place_j.z, velocity);
-    const Vec<3, V> branch = place_i - place_j - of_bonds(b.image);
-    const V squared = dot(branch, branch), distance = sqrt(squared);
-    inverse = distance * (one / squared);
-    normal = inverse * branch;
-    const geometry::RotationOf<V> of_i = attitudes(t, i), of_j = attitudes(t, j),
+    const geometry::RotationOf<V> of_i = attitudes(t, t.i + p), of_j = attitudes(t, t.j + p),
                                   rest{of_bonds(b.rest_cosine), of_bonds(b.rest_sine)};
     ends = {turned(of_i, of_bonds(b.along_i)), turned(of_j, of_bonds(b.along_j)),
             of_i * rest * geometry::inverse(of_j)};

@@ -6,6 +6,19 @@
 
 namespace arenite::dem {
 
+/// Where W disks or spheres are.
+template <int W> ARENITE_INLINE Vec<2, Pack<W>> places(const GrainRecord<2>* record, const std::int32_t* index) {
+  Vec<2, Pack<W>> place;
+  gather<W>([=](int k) { return &record[index[k]].place.x; }, place);
+  return place;
+}
+template <int W> ARENITE_INLINE Vec<3, Pack<W>> places(const GrainRecord<3>* record, const std::int32_t* index) {
+  Vec<3, Pack<W>> place;
+  Pack<W> velocity;  // rows are of four numbers
+  gather<W>([=](int k) { return &record[index[k]].place.x; }, place.x, place.y, place.z, velocity);
+  return place;
+}
+
 /// What the pair loop needs of W disks or spheres.
 template <int W, int D> struct GrainPack {
   Vec<D, Pack<W>> place, velocity;
