@@ -153,15 +153,16 @@ template <int D>
 void add_bearing(const Container<D>& domain, const KernelIn<D>& kernel, Vec<D> start, Vec<D> branch, Vec<D> force,
                  bool is_of_wall, CoarseFieldsIn<D>& fields) {
   const Tensor<D> moment = outer(force, branch);
+  const typename KernelIn<D>::Line back(-branch);
   const Vec<D> end = start + branch;
   const Vec<D> low = by_axis<D>([&](int axis) { return std::min(start[axis], end[axis]) - kernel.reach(); });
   const Vec<D> high = by_axis<D>([&](int axis) { return std::max(start[axis], end[axis]) + kernel.reach(); });
   for_images_between(domain, fields.grid.low - high, fields.grid.high - low, [&](const Cells<D>& image) {
     const Vec<D> shift = domain.way(image);
     for_points_in(fields.grid, low + shift, high + shift, [&](std::size_t k, Vec<D> point) {
-      const Vec<D> from = point - start - shift, to = from - branch;
-      if (const double mean = kernel.line_mean(from, to); mean != 0) fields.contact_stress[k] += mean * moment;
-      if (is_of_wall) fields.wall_force[k] += kernel.value(to) * force;
+      const Vec<D> from = point - start - shift;
+      if (const double mean = kernel.line_mean(from, back); mean != 0) fields.contact_stress[k] += mean * moment;
+      if (is_of_wall) fields.wall_force[k] += kernel.value(from - branch) * force;
     });
   });
 }

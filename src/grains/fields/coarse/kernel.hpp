@@ -25,34 +25,35 @@ constexpr std::array lucy_divisor{std::numbers::pi, 16 * std::numbers::pi};  // 
 inline const std::array gaussian_divisor{2 * std::numbers::pi, 2 * std::numbers::pi* std::sqrt(2 * std::numbers::pi)};
 inline const std::array line_divisor{std::sqrt(8 * std::numbers::pi), 4 * std::numbers::pi};  // of a Gaussian's line
 
-/// Integral from 0 to t of 1 - 6 q^2 + 8 q^3 - 3 q^4 = (1 + 3 q)(1 - q)^3 with q^2 = p^2 + t^2: lengths in c.
-inline double lucy_primitive(double p, double t) {
-  const double p2 = p * p, t2 = t * t, r = std::sqrt(p2 + t2);
-  const double squares = t * (p2 + t2 / 3), fourths = t * (p2 * p2 + t2 * (2 * p2 / 3 + t2 / 5));
-  const double cubes = t * r * (r * r / 4 + 3 * p2 / 8) + (p2 > 0 ? 3 * p2 * p2 / 8 * std::asinh(t / p) : 0.0);
-  return t - 6 * squares + 8 * cubes - 3 * fourths;
-}
-
-/// Integral of Lucy's function along the line at distance p from the centre, from t0 to t1; zero outside the unit
-/// circle.
-template <int D> double lucy_along(double p, double t0, double t1) {
-  if (p >= 1) return 0;
-  const double chord = std::sqrt(1 - p * p);
-  const double from = std::clamp(t0, -chord, chord), to = std::clamp(t1, -chord, chord);
-  const double front = lucy_factor[D - 2] / lucy_divisor[D - 2];
-  return from < to ? front * (lucy_primitive(p, to) - lucy_primitive(p, from)) : 0.0;
+/// Integral of Lucy's function 1 - 6 q^2 + 8 q^3 - 3 q^4 = (1 + 3 q)(1 - q)^3, q^2 = p^2 + t^2, along the line at
+/// distance p from the centre, from t0 to t1; zero outside the unit circle. Given is p^2, lengths are in c.
+template <int D> double lucy_along(double p2, double t0, double t1) {
+  if (p2 >= 1) return 0;
+  const double chord = std::sqrt(1 - p2), from = std::max(t0, -chord), to = std::min(t1, chord);
+  if (from >= to) return 0;
+  const double r0 = from > t0 ? 1 : std::sqrt(p2 + from * from), r1 = to < t1 ? 1 : std::sqrt(p2 + to * to);
+  const auto powers = [p2](double t, double r) {
+    const double t2 = t * t;
+    const double squares = t * (p2 + t2 / 3), fourths = t * (p2 * p2 + t2 * (2 * p2 / 3 + t2 / 5));
+    return t - 6 * squares + 8 * t * r * (r * r / 4 + 3 * p2 / 8) - 3 * fourths;
+  };
+  double integral = powers(to, r1) - powers(from, r0);
+  // asinh t1/p - asinh t0/p, of r + t without a difference of equal numbers; nothing of a line through the centre.
+  const auto sum = [p2](double t, double r) { return t > 0 ? r + t : p2 / (r - t); };
+  if (p2 > 1e-24) integral += 3 * p2 * p2 * std::log(sum(to, r1) / sum(from, r0));
+  return lucy_factor[D - 2] / lucy_divisor[D - 2] * integral;
 }
 
 /// The same of the Gaussian of width 1, zero where the line lies beyond its reach.
-template <int D> double gaussian_along(double p, double t0, double t1) {
-  if (p > gaussian_reach || t0 > gaussian_reach || t1 < -gaussian_reach) return 0;
+template <int D> double gaussian_along(double p2, double t0, double t1) {
+  if (p2 > gaussian_reach * gaussian_reach || t0 > gaussian_reach || t1 < -gaussian_reach) return 0;
   constexpr double root = std::numbers::sqrt2 / 2;
-  return std::exp(-0.5 * p * p) / line_divisor[D - 2] * (std::erf(root * t1) - std::erf(root * t0));
+  return std::exp(-0.5 * p2) / line_divisor[D - 2] * (std::erf(root * t1) - std::erf(root * t0));
 }
 
-/// How far the centre lies from the line through a place along a unit vector.
-inline double off_line(Vec2 place, Vec2 along) { return std::abs(cross(place, along)); }
-inline double off_line(Vec3 place, Vec3 along) { return norm(cross(place, along)); }
+/// Square of how far the centre lies from the line through a place along a unit vector.
+inline double off_line2(Vec2 place, Vec2 along) { return cross(place, along) * cross(place, along); }
+inline double off_line2(Vec3 place, Vec3 along) { return dot(cross(place, along), cross(place, along)); }
 
 }  // namespace kernels
 
@@ -95,16 +96,23 @@ template <int D> class KernelIn {
     return q < 1 ? slope_ * (1 - q) * (1 - q) * d : Vec<D>{};
   }
 
-  /// Mean of phi along a straight line, integral over s in [0, 1] of phi(from + s (to - from)), in closed form, 1/m^D.
-  double line_mean(Vec<D> from, Vec<D> to) const {
-    const double length = norm(to - from);
-    if (!(length > 0)) return value(from);
-    const Vec<D> along = (to - from) / length;
-    const double p = kernels::off_line(from, along) / unit_, t0 = dot(from, along) / unit_, t1 = dot(to, along) / unit_;
-    double over = unit_ * length;
+  /// A straight line that something is smeared out along: from a place to what is farther by `branch`, m.
+  struct Line {
+    explicit Line(Vec<D> way) : branch(way), length(norm(way)), along(length > 0 ? way / length : way) {}
+    Vec<D> branch;
+    double length;
+    Vec<D> along;
+  };
+
+  /// Mean of phi along a line, integral over s in [0, 1] of phi(from + s branch), in closed form, 1/m^D.
+  double line_mean(Vec<D> from, const Line& line) const {
+    if (!(line.length > 0)) return value(from);
+    const double p2 = kernels::off_line2(from, line.along) / (unit_ * unit_), t0 = dot(from, line.along) / unit_,
+                 t1 = t0 + line.length / unit_;
+    double over = unit_ * line.length;
     for (int k = 2; k < D; ++k) over *= unit_;
-    return (shape_ == KernelShape::gaussian ? kernels::gaussian_along<D>(p, t0, t1)
-                                            : kernels::lucy_along<D>(p, t0, t1)) /
+    return (shape_ == KernelShape::gaussian ? kernels::gaussian_along<D>(p2, t0, t1)
+                                            : kernels::lucy_along<D>(p2, t0, t1)) /
            over;
   }
 

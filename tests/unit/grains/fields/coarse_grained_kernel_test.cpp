@@ -95,18 +95,21 @@ TYPED_TEST(Kernels, HaveTheMeanAlongALineThatQuadratureFinds) {
   // Simpson's rule over 4000 pieces of a line up to 25 w long. The Gaussian is smooth (h^4 = 1e-14 times the fourth
   // derivative); Lucy's third derivative jumps by 72/c^3 at its rim and |t|^3 at its middle: h^3 times that, 1e-9,
   // spread over the length.
+  using Place = typename TestFixture::Place;
+  using Line = typename KernelIn<TestFixture::D>::Line;
+  const auto between = [&](Place from, Place to) { return this->kernel.line_mean(from, Line(to - from)); };
   RandomStream random(2, Purpose::test);
   for (int k = 0; k < 100; ++k) {
     const auto a = this->within(random, 7),
                b = k % 5 == 0 ? -1.5 * a : this->within(random, 7);  // every fifth goes through the centre
     const double mean = integral(0, 1, 4000, [&](double s) { return this->kernel.value(a + s * (b - a)); });
-    EXPECT_NEAR(this->kernel.line_mean(a, b), mean, 1e-9 * this->kernel.value({}));
-    EXPECT_NEAR(this->kernel.line_mean(a, b), this->kernel.line_mean(b, a), 1e-14 * this->kernel.value({}));
+    EXPECT_NEAR(between(a, b), mean, 1e-9 * this->kernel.value({}));
+    EXPECT_NEAR(between(a, b), between(b, a), 1e-14 * this->kernel.value({}));
   }
   const auto here = this->within(random, 0.4);
-  EXPECT_DOUBLE_EQ(this->kernel.line_mean(here, here), this->kernel.value(here));
-  const auto beside = [](double y) { return typename TestFixture::Place{9 * width, y}; };
-  EXPECT_NEAR(this->kernel.line_mean(beside(-3), beside(5)), 0, 1e-16 * this->kernel.value({}));
+  EXPECT_DOUBLE_EQ(between(here, here), this->kernel.value(here));
+  const auto beside = [](double y) { return Place{9 * width, y}; };
+  EXPECT_NEAR(between(beside(-3), beside(5)), 0, 1e-16 * this->kernel.value({}));
 }
 
 TEST(Kernel, RefusesAWidthThatIsNone) {

@@ -161,7 +161,7 @@ TEST(CoarseGrained, KnowsWallsByTheirForceOnTheGrains) {
   const Kernel kernel(KernelShape::lucy, 0.1);
   const CoarseFields at = coarse_grain(p, {{0.9, 0.05}, {1.1, 0.15}, {1, 1}}, {KernelShape::lucy, 0.1, {}, {}});
   // f = 7 N up and, with t = n turned = -x, 2 N to the left; l = (0, -0.3) m. The point (1, 0.1) lies on the branch.
-  const double mean = kernel.line_mean({0, -0.2}, {0, 0.1}) / 0.5;
+  const double mean = kernel.line_mean({0, -0.2}, Kernel::Line({0, 0.3})) / 0.5;
   EXPECT_NEAR(at.contact_stress[0].yy, -7 * 0.3 * mean, 1e-13 * 7 * mean);
   EXPECT_NEAR(at.contact_stress[0].xy, 2 * 0.3 * mean, 1e-13 * 7 * mean);
   EXPECT_NEAR(at.wall_force[0].y, 7 * kernel.value({0, 0.1}) / 0.5, 1e-11);
@@ -187,7 +187,7 @@ TEST(CoarseGrained, KnowsTheFloorByItsForceOnASphere) {
   const KernelIn<3> kernel(KernelShape::lucy, 0.1);
   const auto on = [&](const GridIn<3>& grid) { return coarse_grain(p, grid, {KernelShape::lucy, 0.1, {}, {}}); };
   const CoarseFieldsIn<3> at = on({{0.9, 0.05, 0.9}, {1.1, 0.15, 1.1}, {1, 1, 1}});
-  const double mean = kernel.line_mean({0, -0.2, 0}, {0, 0.1, 0});
+  const double mean = kernel.line_mean({0, -0.2, 0}, KernelIn<3>::Line({0, 0.3, 0}));
   EXPECT_NEAR(at.contact_stress[0].at[1][1], -7 * 0.3 * mean, 1e-13 * 7 * mean);
   EXPECT_NEAR(at.contact_stress[0].at[0][1], -2 * 0.3 * mean, 1e-13 * 7 * mean);
   EXPECT_NEAR(at.wall_force[0].y, 7 * kernel.value({0, 0.1, 0}), 1e-11 * 7 * mean);
