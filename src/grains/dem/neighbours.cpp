@@ -145,7 +145,21 @@ template <int D> void end_list(SampleIn<D>& s) {
   each_part(s, [&](auto& part) { part.wrap(s); });
 }
 
+void choose_skin(Sample& /*sample*/) {}
+
+/// A wide skin lists spheres that do not touch, a narrow one does not last; both cost the same where a list lasts for
+/// four steps times the mean radius over the skin.
+void choose_skin(SampleIn<3>& s) {
+  const double mean = 0.5 * grains_of(s).mean_diameter();
+  const double lasted = 0.25 * static_cast<double>(s.step - s.listed_step) * s.skin / mean;
+  s.listed_step = s.step;
+  if (s.builds == 0) s.skin = 0.05 * mean;
+  else if (lasted > 1.5) s.skin = std::max(0.8 * s.skin, smallest_skin * mean);
+  else if (lasted < 0.7) s.skin = std::min(1.25 * s.skin, largest_skin * mean);
+}
+
 template <int D> void begin_list(SampleIn<D>& s, const ThreadPool& pool, const std::vector<std::int32_t>& renumbered) {
+  choose_skin(s);
   std::vector<std::int32_t> was = sort_by_cell(s);
   if (!renumbered.empty())
     for (std::int32_t& k : was) k = renumbered[k];

@@ -9,6 +9,9 @@
 
 namespace arenite::dem {
 
+/// Of lists, in mean radii: that of disks is the largest.
+inline constexpr double largest_skin = 0.15, smallest_skin = 0.02;
+
 /// Sorts the disks by cell, wraps them into a periodic cell, makes the ghosts and lists every pair (and wall) closer
 /// than the skin. What touching pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left
 /// the walls, gone through a boundary or into another grain beyond that one's centre, or a coordinate is not finite.

@@ -74,7 +74,7 @@ template <int D> struct SampleIn {
   Components<D> listed;  ///< where the disks were when the list was built
   DomainIn<D> listed_domain;
   double sheared = 0, listed_sheared = 0;  ///< shear strain by shear_rate so far, and when the list was built
-  std::int64_t builds = 0;
+  std::int64_t builds = 0, listed_step = 0;
   std::vector<std::uint64_t> glued_pairs;  ///< sorted keys of the glued pairs that hold, where these part for good
   typename PartsOf<D>::type parts;         ///< what there is beside single disks and walls
 

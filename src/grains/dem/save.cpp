@@ -31,7 +31,7 @@ namespace dem {
 namespace {
 
 /// "a-dem-", in space "b-dem-", and the version of a state; changes with what `Members` and the parts list.
-template <int D> constexpr std::uint64_t version = D == 2 ? 0x3530 : 0x3630;
+template <int D> constexpr std::uint64_t version = D == 2 ? 0x3530 : 0x3730;
 template <int D> constexpr std::uint64_t family = 0x2d6d65642d61 + (D - 2);
 template <int D> constexpr std::uint64_t mark = family<D> | version<D> << 48;
 /// Of a state that has its grains and what came and went: "x" and the version's last digit.
@@ -108,12 +108,17 @@ template <class Archive> class Members {
       (*this)(b.i, b.j, b.broken, b.length, b.normal, b.angle_i, b.angle_j, b.energy, b.load, b.time, b.place);
   }
 
+  /// When the list was made, which decides on its skin; that of disks is always the same.
+  void take_listed_step(Sample& /*sample*/) {}
+  void take_listed_step(SampleIn<3>& s) { take(s.listed_step); }
+
   template <int D> void take(SampleIn<D>& s) {
     (*this)(s.dt, s.steps_before, s.time_before);
     (*this)(s.mass_scaling, s.inertial_number, s.step, s.lag, s.friction, s.wall_friction, s.drag, s.gravity, s.glue,
             s.settled);
     (*this)(s.domain.wall, s.domain.tilt, s.listed_domain.wall, s.listed_domain.tilt);
     (*this)(s.skin, s.builds, s.shear_rate, s.sheared, s.listed_sheared, s.wall);
+    take_listed_step(s);
     apply_open(s);
     (*this)(s.velocity, s.omega, s.angle, s.acceleration, s.alpha, s.listed, s.higher, s.glued_pairs, s.tally);
     each_part(s, [&](auto& part) { part.transfer(s, *this); });

@@ -114,7 +114,7 @@ template <int D> void place_disks(SampleIn<D>& s) {
     s.largest_radius = std::max(s.largest_radius, r);
   }
   const std::vector<double>& radius = grains_of(s).radius;
-  s.skin = 0.15 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+  s.skin = largest_skin * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
 template <int D> void check_cell(const SampleIn<D>& s) {

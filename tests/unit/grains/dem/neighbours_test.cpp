@@ -84,6 +84,43 @@ INSTANTIATE_TEST_SUITE_P(Cells, Neighbours,
                          ::testing::Values(Cell{{false, false}, 0}, Cell{{true, false}, 0}, Cell{{false, true}, 0},
                                            Cell{{true, true}, 0}, Cell{{true, true}, 0.3}, Cell{{true, true}, -0.45}));
 
+/// 64 spheres that fly about between six walls with up to so many m/s along each axis.
+EngineIn<3> flying(double speed) {
+  PackingIn<3> p;
+  p.materials = {{"pom", 1410, 1e5, 0}};
+  for (const int side : {right, top, front}) p.domain.wall[side].position = 0.1;
+  p.grains.resize(64);
+  RandomStream random(5, Purpose::test);
+  for (int k = 0; k < 64; ++k) {
+    p.grains.position[k] = 0.025 * Vec3{k % 4 + 0.5, k / 4 % 4 + 0.5, k / 16 + 0.5};
+    p.grains.radius[k] = 0.01;
+    p.grains.velocity[k] =
+        speed * Vec3{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+  }
+  ContactParameters contact;
+  contact.restitution = 1;
+  return {p, contact, {}};
+}
+
+TEST(NeighboursOfSpheres, AreListedFartherWhereTheyMoveFast) {
+  EngineIn<3> slow = flying(0.01), fast = flying(4);
+  for (EngineIn<3>* engine : {&slow, &fast}) {
+    for (int n = 0; n < 60; ++n) {
+      engine->advance(97);
+      const PackingIn<3> now = packing_of(*engine);
+      std::size_t touching = 0;
+      for (std::size_t a = 0; a < 64; ++a)
+        for (std::size_t b = a + 1; b < 64; ++b)
+          if (norm(now.grains.position[a] - now.grains.position[b]) < 0.02) ++touching;
+      const auto between = std::ranges::count_if(now.contacts.j, [](std::int32_t j) { return j >= 0; });
+      ASSERT_EQ(static_cast<std::size_t>(between), touching) << "after " << engine->step << " steps";
+    }
+    EXPECT_GT(engine->builds, 3);
+  }
+  EXPECT_LT(slow.skin, 0.05 * 0.01);
+  EXPECT_GT(fast.skin, 0.1 * 0.01);
+}
+
 TEST(PeriodicCell, TooNarrowForItsGrainsIsRefused) {
   Packing p = testing::empty_container(0.02, 0.2);
   testing::add_grain(p, 0.01, 0.1, 0.006);
