@@ -210,12 +210,7 @@ class ExpressionReader {
       if (first && symbol != circle && !function_named(symbol) && symbol != root) throw;
       return std::nullopt;
     }
-    if (end + 1 < text.size() && text[end] == '^') {
-      std::size_t power = end + 1 + (text[end + 1] == '-' ? 1 : 0);
-      while (power < text.size() && (is_digit(text[power]) || text[power] == '.')) ++power;
-      if (power > end + 1 && text[power - 1] != '-') end = power;
-    }
-    return end;
+    return end + power_length(text.substr(end));
   }
 
   std::string_view text_, rest_;

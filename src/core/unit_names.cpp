@@ -114,8 +114,15 @@ Unit operator*(const Unit& a, const Unit& b) {
   return {a.factor * b.factor, a.decade + b.decade, a.dimension * b.dimension};
 }
 
+/// Whether a power is a half as a fraction, "1/2". Others stand in brackets: of "m^3/2" the half may be meant.
+bool is_half(std::string_view power) {
+  constexpr std::string_view half = "1/2";
+  return power.starts_with(half) &&
+         (power.size() == half.size() || (!is_digit(power[half.size()]) && power[half.size()] != '.'));
+}
+
 /// Recursive descent over: expression = factor {("*" | "·" | " " | "/") factor}; factor = (symbol | "(" expression ")")
-/// ["^" power | superscript]; a power is a whole number or ends in .5.
+/// ["^" power | superscript]; a power is a whole number or ends in .5, or (1/2). "√" before a factor is its root.
 class UnitReader {
  public:
   explicit UnitReader(std::string_view text) : text_(text), rest_(text) {}
@@ -162,6 +169,10 @@ class UnitReader {
   Unit factor(int depth) {
     skip_spaces();
     Unit unit;
+    if (take("√")) {
+      if (depth == deepest) fail("too many roots");
+      return raised(factor(depth + 1), 0.5);
+    }
     if (take("(")) {
       if (depth == deepest) fail("too many brackets");
       unit = expression(depth + 1);
@@ -177,7 +188,8 @@ class UnitReader {
     while (length < rest_.size()) {
       const std::string_view here = rest_.substr(length);
       const bool ends = std::string_view(" */^()").find(here.front()) != std::string_view::npos ||
-                        here.starts_with("·") || here.starts_with("²") || here.starts_with("³");
+                        here.starts_with("·") || here.starts_with("²") || here.starts_with("³") ||
+                        here.starts_with("√");
       if (ends) break;
       ++length;
     }
@@ -193,13 +205,27 @@ class UnitReader {
     skip_spaces();
     if (!take("^")) return 1;
     skip_spaces();
+    const bool is_root = is_half(rest_), in_brackets = take("(");
+    double value = digits_of_power();
+    if ((is_root || in_brackets) && take("/")) value /= digits_of_power();
+    if (in_brackets && !take(")")) fail("a bracket is not closed");
+    if (!(std::abs(value) <= largest_power) || std::trunc(2 * value) != 2 * value) wrong_power();
+    return value;
+  }
+
+  double digits_of_power() {
+    skip_spaces();
     double value = 0;
     const auto [end, error] =
         std::from_chars(rest_.data(), rest_.data() + rest_.size(), value, std::chars_format::fixed);
-    if (error != std::errc{} || std::abs(value) > largest_power || std::trunc(2 * value) != 2 * value)
-      fail(fmt::format("the power must be a whole number from -{0} to {0}, or a half such as 0.5", largest_power));
+    if (error != std::errc{}) wrong_power();
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return value;
+  }
+
+  [[noreturn]] void wrong_power() const {
+    fail(fmt::format("the power must be a whole number from -{0} to {0}, or a half such as 0.5 or (1/2)",
+                     largest_power));
   }
 
   std::string_view text_, rest_;
@@ -223,6 +249,19 @@ std::string si_unit(Dimension dimension) {
 std::string describe(Dimension dimension) {
   const auto* named = find_name(dimension);
   return named ? std::string(named->name) : "a quantity in " + si_unit(dimension);
+}
+
+std::size_t power_length(std::string_view text) {
+  constexpr std::string_view of_numbers = "0123456789.";
+  if (!text.starts_with('^') || text.size() < 2) return 0;
+  if (is_half(text.substr(1))) return 4;
+  if (text[1] == '(') {
+    const std::size_t end = text.find_first_not_of("0123456789./-", 2);
+    return end < text.size() && text[end] == ')' && text.find('/') < end ? end + 1 : 0;
+  }
+  const std::size_t begin = text[1] == '-' ? 2 : 1,
+                    end = std::min(text.find_first_not_of(of_numbers, begin), text.size());
+  return end > begin ? end : 0;
 }
 
 Unit parse_unit(std::string_view text) { return UnitReader(trimmed(text)).read(); }

@@ -15,8 +15,12 @@ struct Unit {
 };
 
 /// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s",
-/// "MPa m^0.5". Throws InputError (without place) for what it does not know, offering the nearest known unit.
+/// "MPa m^0.5" or "MPa m^1/2". Throws InputError (without place) for what it does not know, offering the nearest known
+/// unit.
 Unit parse_unit(std::string_view text);
+
+/// Length of a power at the start of a text: "^2", "^-1", "^0.5", "^1/2" or "^(3/2)"; 0 where there is none.
+std::size_t power_length(std::string_view text);
 
 /// The SI unit in its usual spelling ("N/m", "Pa", "kg/m^3"); empty for no dimension.
 std::string si_unit(Dimension dimension);

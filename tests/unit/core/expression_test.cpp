@@ -62,6 +62,11 @@ TEST(Expression, ANumberKeepsItsUnitAndAVariableItsName) {
   // h is an hour only where nothing else is called so.
   EXPECT_DOUBLE_EQ(evaluate("4 m^2/h", known).value, 2);
   EXPECT_EQ(evaluate("16.4 mm", {}).value, parse_quantity("16.4 mm").value);
+  for (const char* text : {"2*3 MPa m^1/2", "2*3 MPa m^(1/2)", "2*(3 MPa m^0.5)"}) {
+    EXPECT_DOUBLE_EQ(evaluate(text, {}).value, 6e6) << text;
+    EXPECT_EQ(evaluate(text, {}).dimension, dimension::toughness) << text;
+  }
+  EXPECT_DOUBLE_EQ(evaluate("40 mm^2/2", {}).value, 20e-6);  // half of an area, no power of 2/2
 }
 
 TEST(Expression, IsToldFromSingleQuantitiesAndText) {

@@ -73,6 +73,18 @@ TEST(Units, HalfPowersSpeakOfToughness) {
   EXPECT_NE(refused("1 m^0.3", dimension::toughness).find("or a half"), std::string::npos);
 }
 
+TEST(Units, AHalfPowerMayBeAFractionOrARoot) {
+  for (const char* text :
+       {"0.1 MPa m^1/2", "0.1 MPa m^(1/2)", "0.1 MPa*m^( 1/2)", "0.1 MPa √m", "0.1 MPa√m", "1e2 kPa m^1/2"})
+    EXPECT_DOUBLE_EQ(parse_si(text, dimension::toughness), 1e5) << text;
+  EXPECT_EQ(parse_unit("N/m^(3/2)").dimension, parse_unit("N m^-1.5").dimension);
+  EXPECT_EQ(parse_unit("m^(-1/2)").dimension, parse_unit("m^-0.5").dimension);
+  EXPECT_EQ(parse_unit("m^(4/2)").dimension, dimension::area);
+  for (const char* text : {"1 m^3/2", "1 m^2/2", "1 m^1/20", "1 m^(1/3)", "1 m^(1/0)", "1 m^(0/0)", "1 m^(1/2", "1 m^(",
+                           "1 √", "1 √√√√√√√√√√m"})
+    EXPECT_THROW(parse_quantity(text), InputError) << text;
+}
+
 TEST(Units, UnknownUnitOffersTheNearest) {
   EXPECT_EQ(refused("5 kNn", dimension::force), "unknown unit \"kNn\"; did you mean kN?");
   EXPECT_EQ(refused("5 mpa", dimension::pressure), "unknown unit \"mpa\"; did you mean mPa?");
