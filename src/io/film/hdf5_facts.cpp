@@ -17,6 +17,7 @@
 #include "io/film/formats.hpp"
 #include "io/film/hdf5_times.hpp"
 #include "io/hdf5/axes.hpp"
+#include "io/stated_units.hpp"
 
 namespace arenite::io {
 namespace {
@@ -36,13 +37,7 @@ double stated_rate(hid_t at, Hdf5Facts& facts) {
         std::pair("frame_interval", dimension::time), std::pair("dt", dimension::time)}) {
     const std::string text = text_attribute(at, name);
     if (trimmed(text).empty()) continue;
-    try {
-      const Quantity stated = parse_quantity(text);
-      const Dimension of = stated.dimension == dimension::none ? alone : stated.dimension;
-      if (of == dimension::frequency && stated.value > 0) return stated.value;
-      if (of == dimension::time && stated.value > 0) return 1 / stated.value;
-    } catch (const InputError&) {  // said in words, told below
-    }
+    if (const auto rate = frames_per_second(text, alone)) return *rate;
     facts.times += fmt::format("It states {} = \"{}\", which is not understood and left aside.\n", name, text);
   }
   return 0;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 #include "core/mapped.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "io/film/stamps.hpp"
 #include "io/stated_units.hpp"
 
@@ -74,29 +76,44 @@ void take_value(std::string_view line, const std::string& unit_of_name, FrameWor
   else words.not_understood = fmt::format("{} {}", number, unit);
 }
 
-/// The unit of time behind a name, "[ms]" or "(s)", and what stands behind that.
+/// The unit behind a name, "[ms]" or "(Hz)", and what stands behind that.
 std::pair<std::string, std::string_view> unit_in_brackets(std::string_view text) {
   const std::string_view bare = trimmed(text);
   if (!bare.starts_with('[') && !bare.starts_with('(')) return {"", text};
   const std::size_t end = bare.find(bare.front() == '[' ? ']' : ')');
   if (end == bare.npos) return {"", text};
-  const std::string unit(trimmed(bare.substr(1, end - 1)));
-  return unit.empty() || !seconds_of(unit) ? std::pair(std::string(), text) : std::pair(unit, bare.substr(end + 1));
+  return {std::string(trimmed(bare.substr(1, end - 1))), bare.substr(end + 1)};
 }
 
-/// "frame rate = 30 Hz", "fps: 30".
+/// The same of a time.
+std::pair<std::string, std::string_view> unit_of_time_in_brackets(std::string_view text) {
+  const auto [unit, behind] = unit_in_brackets(text);
+  return unit.empty() || !seconds_of(unit) ? std::pair(std::string(), text) : std::pair(unit, behind);
+}
+
+/// "frame rate = 30 Hz", "fps: 30", "frame_rate_Hz = 30", "Frame interval [ms]: 33".
 void find_rate(std::string_view line, FrameWords& words) {
   const std::string low = lower_case(line);
-  for (const std::string_view name : {"frame rate", "frame_rate", "framerate", "fps"}) {
+  for (const auto& [name, bare] : {std::pair<std::string_view, Dimension>{"frame rate", dimension::frequency},
+                                   {"frame_rate", dimension::frequency},
+                                   {"framerate", dimension::frequency},
+                                   {"fps", dimension::frequency},
+                                   {"frame interval", dimension::time},
+                                   {"frame_interval", dimension::time}}) {
     const std::size_t at = low.find(name);
     if (at == low.npos || (at > 0 && is_letter(low[at - 1]))) continue;
-    const auto value = behind_sign(std::string_view(low).substr(at + name.size()), "=:");
-    if (!value) continue;
-    const std::size_t end = std::min(value->find_first_not_of("0123456789.e+-"), value->size());
-    const auto number = parse_number<double>(value->substr(0, end));
-    const std::string_view unit = trimmed(value->substr(end));
-    if (number && *number > 0 && (unit.empty() || unit.starts_with("hz") || unit.starts_with("fps") || unit == "1/s"))
-      words.rate = *number;
+    std::string_view rest = line.substr(at + name.size());
+    std::string unit;
+    if (rest.starts_with('_')) {
+      const std::size_t end = rest.find_first_of(" \t\"'=:");
+      unit = rest.substr(1, end - 1), rest.remove_prefix(std::min(end, rest.size()));
+    } else {
+      std::tie(unit, rest) = unit_in_brackets(rest);
+    }
+    const auto value = behind_sign(rest, "=:");
+    if (!value || value->empty()) continue;
+    if (const auto rate = frames_per_second(*value, bare, unit)) words.rate = *rate;
+    else words.unknown_rate = fmt::format("{} = {}", name, trimmed(value->substr(0, 40)));
   }
 }
 
@@ -109,7 +126,7 @@ void find_time(std::string_view line, FrameWords& words) {
     while (end < line.size() && is_of_key(line[end])) ++end;
     const std::string_view before = trimmed(line.substr(0, at));
     const auto unit = end > at ? unit_of_time_name(line.substr(at, end - at)) : std::nullopt;
-    const auto [own, behind] = unit_in_brackets(line.substr(end));
+    const auto [own, behind] = unit_of_time_in_brackets(line.substr(end));
     const auto value = behind_sign(behind, "=:");
     if (unit && value && (before.empty() || !is_letter(before.back())))
       take_value(*value, own.empty() ? *unit : own, words);
@@ -157,6 +174,10 @@ bool names_array_of_numbers(std::string_view name) {
                    "frame frames index indices imagenumber imagenumbers imageindex imageid imagenr imageno");
 }
 
+bool FrameWords::says_anything() const {
+  return !std::isnan(time) || number >= 0 || rate > 0 || !not_understood.empty() || !unknown_rate.empty();
+}
+
 FrameWords words_of_frame(std::string_view text) {
   FrameWords words;
   while (!text.empty()) {
@@ -181,6 +202,10 @@ void take_words(FilmInfo& info, const std::vector<FrameWords>& frames, bool rate
   else if (timed > 0 && timed < all)
     info.remarks.push_back(
         fmt::format("Only {} of {} frames state a time that can be read; times are left aside.", timed, all));
+  if (const auto at = std::ranges::find_if(frames, [](const FrameWords& f) { return !f.unknown_rate.empty(); });
+      at != frames.end())
+    info.remarks.push_back(fmt::format(
+        "It states {}, which is not understood and left aside; give the rate of its frames.", at->unknown_rate));
   if (counted > 0 && counted < all)
     info.remarks.push_back(fmt::format("Only {} of {} frames state a number; numbers are left aside.", counted, all));
   std::vector<double> time;

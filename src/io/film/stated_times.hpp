@@ -26,6 +26,8 @@ struct FrameWords {
   std::int64_t number = -1;                                ///< -1: not stated
   double rate = 0;                                         ///< frames a second; 0: not stated
   std::string not_understood;                              ///< what stands for a time and is none that is known
+  std::string unknown_rate;                                ///< the same of a rate: "fps = fast"
+  bool says_anything() const;
 };
 
 /// Of "time = 33.3 ms", "# Time: 12:00:03.25", "Frame #12, t=0.4 s" or {"frame": 12, "timestamp_s": 0.4}: the first

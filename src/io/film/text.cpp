@@ -13,6 +13,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/film/formats.hpp"
+#include "io/film/other_statements.hpp"
 #include "io/film/stated_times.hpp"
 #include "io/table/table.hpp"
 
@@ -155,6 +156,7 @@ class TextFilm : public KnownFilm {
     check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
     take_words(info_, words_, choice.frame_rate.has_value());
     if (zero_) info_.quantity = FilmQuantity::kelvin;
+    others_.tell(info_);
     if (choice.gives_temperatures()) zero_ = std::nullopt;
     take_choice(info_, choice);
   }
@@ -186,9 +188,12 @@ class TextFilm : public KnownFilm {
       next_.time = said.time, next_.not_understood = said.not_understood;
     if (said.number >= 0) next_.number = said.number;
     if (said.rate > 0) info_.frame_rate = said.rate;
+    if (!said.unknown_rate.empty()) next_.unknown_rate = said.unknown_rate;
     const std::string low = lower_case(line);
-    if (!told_ &&
-        (low.find("\u00b0f") != low.npos || low.find("fahrenheit") != low.npos || low.find("degf") != low.npos)) {
+    const bool in_fahrenheit =
+        low.find("\u00b0f") != low.npos || low.find("fahrenheit") != low.npos || low.find("degf") != low.npos;
+    if (!zero_stated_in(line) && !said.says_anything() && !in_fahrenheit) others_.note(line, separator_, info_);
+    if (!told_ && in_fahrenheit) {
       told_ = true;
       info_.remarks.push_back(
           fmt::format("Line {} states degrees Fahrenheit, which are not used: numbers are taken as a signal; give "
@@ -247,6 +252,7 @@ class TextFilm : public KnownFilm {
   std::vector<FrameWords> words_;  ///< as stated before each frame
   std::optional<double> zero_;     ///< where its temperatures count from, K; nothing where it states no unit
   FrameWords next_;
+  OtherStatements others_;
   bool told_ = false;  ///< of degrees Fahrenheit
 };
 
@@ -271,8 +277,10 @@ const FilmFormat films::text{
                 "not all frames state one"},
                {"a unit in a line above frames, \"Temperature [°C]\", \"unit = K\"",
                 "used: temperatures, of degrees Celsius counted from absolute zero"},
-               {"\"frame rate = 30 Hz\", \"fps: 30\" in a line of words",
-                "used where frames state no times and no rate is given"},
+               {"\"frame rate = 0.1 kHz\", \"fps: 30\", \"Frame interval [ms]: 33\" in a line of words",
+                "used where frames state no times and no rate is given; told where it is not understood"},
+               {"\"Camera: ...\" in a line of words", "shown"},
+               {"other statements in lines of words, \"Date: ...\", \"Emissivity: 0.95\"", "told, not used"},
                {"degrees Fahrenheit", "told, not used: numbers are a signal"},
                {"cells that are no numbers", "refused with line and column"}},
     .is = is_text_film,

@@ -46,8 +46,17 @@ TEST(StatedTimes, WordsOfAFrame) {
   EXPECT_NEAR(time("time (s) = 0.4"), 0.4, 1e-12);
   for (const char* text : {"frame rate = 30 Hz", "Frame_Rate: 30", "fps: 30.0 fps"})
     EXPECT_DOUBLE_EQ(words_of_frame(text).rate, 30) << text;
-  for (const char* none : {"frame rate = 30 kHz", "frame rate", "frame = 30"})
-    EXPECT_EQ(words_of_frame(none).rate, 0) << none;
+  for (const char* text :
+       {"frame rate = 0.1 kHz", "FrameRate: 100 HZ", "frame_rate_Hz = 100", "Frame rate (kHz): 0.1", "frame rate: 1e2",
+        "fps=100,0", "frame rate = 6000 1/min", "frame interval = 10 ms", "Frame_interval_ms: 10",
+        "{\"frame_rate\": 100, \"bits\": 14}", "Frame interval [ms]: 10", "frame rate: 100 Hz (nominal)"})
+    EXPECT_DOUBLE_EQ(words_of_frame(text).rate, 100) << text;
+  for (const char* none : {"frame rate", "frame rate:", "frame = 30"})
+    EXPECT_FALSE(words_of_frame(none).rate > 0) << none;
+  for (const char* unknown : {"frame rate = 30 mm", "frame rate = fast", "fps: -3", "frame rate: 0 Hz"}) {
+    EXPECT_EQ(words_of_frame(unknown).rate, 0) << unknown;
+    EXPECT_FALSE(words_of_frame(unknown).unknown_rate.empty()) << unknown;
+  }
   EXPECT_NEAR(time("frame_rate = 30\ntime = 0.4\n"), 0.4, 1e-12);
   for (const char* none : {"Exposure time: 2 ms", "T = 300", "time", "lifetime = 3", "timer = 3"})
     EXPECT_TRUE(std::isnan(time(none))) << none;
@@ -73,8 +82,26 @@ TEST(StatedTimes, TextFramesStateTimesWithUnits) {
   const auto unknown = opened("time = 1 beat\n1 2\ntime = 2 beat\n1 2\n");
   EXPECT_TRUE(unknown->info().time.empty());
   EXPECT_TRUE(tells(*unknown, "Frame 0 states the time \"1 beat\", which is not understood"));
+  EXPECT_EQ(opened("frame rate = 0.1 kHz\n1 2\n\n1 2\n")->info().frame_rate, 100);
+  EXPECT_TRUE(tells(*opened("frame rate = slow\n1 2\n\n1 2\n"), "frame rate = slow, which is not understood"));
   EXPECT_TRUE(tells(*opened("time = 1\n1 2\n\n1 2\n"), "Only 1 of 2 frames state a time"));
   EXPECT_TRUE(tells(*opened("Frame 1\n1 2\n\n1 2\n"), "Only 1 of 2 frames state a number"));
+}
+
+TEST(StatedTimes, WhatTextStatesBesideIsTold) {
+  const auto opened = [](const std::string& text) { return open_film(bytes_in_memory(text, "a.txt")); };
+  const auto film = opened(
+      "# Date: 2026-11-27\nEmissivity = 0.95\nCamera: A655\nunit = K\nframe 1, time = 1 s\n1 2\n# Date: "
+      "2026-11-28\nframe 2, time = 2 s\n1 2\n");
+  EXPECT_EQ(film->info().camera, "A655");
+  ASSERT_EQ(film->info().remarks.size(), 1U);
+  EXPECT_TRUE(tells(*film, "state Date, Emissivity, which are not used"));
+  EXPECT_TRUE(tells(*film, "temperature.assumed_emissivity"));
+  EXPECT_TRUE(tells(*opened("Emissivity;0.95\n1;2;3\n\n4;5;6\n"), "state Emissivity, which is not used"));
+  EXPECT_TRUE(opened("frame 1\n1 2\nframe 2\n3 4\n")->info().remarks.empty());
+  std::string many;
+  for (char c = 'a'; c < 'q'; ++c) many += std::string("key ") + c + " = 1\n";
+  EXPECT_TRUE(tells(*opened(many + "1 2\n"), "key h and more, which are not used"));
 }
 
 /// Pages of one pixel, each described by `text` under a tag.
