@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "io/disk/file.hpp"
+#include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::campaign {
@@ -54,10 +54,11 @@ std::vector<std::string> StudyKind::figures() const {
 StudyKind kind_of_study(const fs::path& study) {
   const auto runs = runs_of(study);
   std::vector<Recipe> recipes;
-  try {
-    for (const fs::path& run : runs)
-      recipes.push_back(recipe::parse_recipe(io::read_file(run / "recipe.toml"), (run / "recipe.toml").string()));
-  } catch (const InputError&) { return {}; }
+  for (const fs::path& run : runs) {
+    const std::string file = (run / "recipe.toml").string(), text = io::read_file(file);
+    if (recipe::describes_film(text)) return {};
+    recipes.push_back(recipe::parse_recipe(text, file));
+  }
   const auto loads = [](const Recipe& recipe) { return !recipe.stages.empty(); };
   if (!std::ranges::all_of(recipes, loads)) return {};
   StudyKind kind;

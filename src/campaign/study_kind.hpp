@@ -16,7 +16,8 @@ struct StudyKind {
   std::vector<std::string> figures() const;
 };
 
-/// Of a study's folder, or a file in it; of none where runs have no recipe that can be read.
+/// Of a study's folder, or a file in it; of none where there are no runs, or runs of films. Throws InputError for a
+/// recipe of a run that cannot be read.
 StudyKind kind_of_study(const std::filesystem::path& study);
 
 }  // namespace arenite::campaign

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "io/disk/file.hpp"
+#include "recipe/film_recipe.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -41,9 +43,23 @@ TEST(StudyKind, RunsAreDrivenWhereAllStrainAtARate) {
   EXPECT_TRUE(kind_with("top = { force = \"1 kN\" }\n").driven.empty());
 }
 
-TEST(StudyKind, IsNoneWhereThereAreNoRunsOrNoneCanBeRead) {
-  EXPECT_TRUE(kind_of_study("/nowhere").flow.empty());
-  EXPECT_TRUE(kind_with("unheard = \"of\"\n").driven.empty());
+TEST(StudyKind, IsNoneWhereThereAreNoRuns) { EXPECT_TRUE(kind_of_study("/nowhere").flow.empty()); }
+
+TEST(StudyKind, ARecipeThatCannotBeReadSaysWhy) {
+  try {
+    kind_with("unheard = \"of\"\n");
+    ADD_FAILURE() << "an unknown key was read";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(error.problems().front().file.ends_with("runs/0/recipe.toml")) << error.problems().front().file;
+    EXPECT_NE(error.problems().front().message.find("unheard"), std::string::npos);
+  }
+}
+
+TEST(StudyKind, IsNoneOfFilms) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "runs/0");
+  io::write_atomically(folder / "runs/0/recipe.toml", recipe::to_toml(recipe::film_template()));
+  EXPECT_TRUE(kind_of_study(folder / "").figures().empty());
 }
 
 }  // namespace
