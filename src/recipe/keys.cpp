@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -145,6 +146,18 @@ void require_constants(Visitor& v, const Recipe& recipe) {
   }
 }
 
+/// Grains in space are spheres, which were once called disks as in the plane: such recipes are read, and keep the names
+/// of their results.
+void declare_shape(Visitor& v, Population& population, int dimension) {
+  constexpr std::string_view disk = packing::DiskShape::word.word;
+  const Key key{"shape",
+                "Shape of the grains; the diameter of a grain that is not a disk is that of the disk of equal area. In "
+                "space all are spheres."};
+  if (dimension != 3) return v.member(key, population.shape);
+  int sphere = 0;
+  v.choice(key, sphere, {{"sphere", "a sphere", disk}, {disk, "the same"}});
+}
+
 }  // namespace
 
 void declare(Visitor& v, Population& population, const Recipe& recipe) {
@@ -172,9 +185,7 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
     inner.member({"law", "Distribution of the diameters.", true}, size);
   });
   v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
-  v.member(
-      {"shape", "Shape of the grains; the diameter of a grain that is not a disk is that of the disk of equal area."},
-      population.shape);
+  declare_shape(v, population, recipe.dimension);
   const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
   v.require(width <= 0 || largest <= width, {"diameter", "size"},
             fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"),

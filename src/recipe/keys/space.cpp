@@ -51,9 +51,6 @@ void require_in_space(Visitor& v, const Recipe& recipe) {
             {"bidisperse"}, packing::of_disks_alone);
   v.require(method != Method::random || recipe.packing.solid_fraction <= 0.62, {"packing"},
             "spheres at random jam at a solid fraction of 0.64; start from 0.62 or less, and let a stage compact them");
-  refuse(std::ranges::any_of(recipe.populations,
-                             [](const auto& p) { return !std::holds_alternative<packing::DiskShape>(p.shape); }),
-         {"populations"}, "there are no clumps and no polygons");
   v.require(!std::holds_alternative<dem::CapillaryDisks>(recipe.contact.cohesion), {"contact"},
             "capillary_disks are bridges between disks; spheres take cohesion = \"capillary_spheres\"");
   refuse(recipe.glued.has_value(), {"glued"}, "no region can be glued by itself");

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "recipe/recipe.hpp"
@@ -60,6 +62,27 @@ TEST(ShapesInRecipes, OfOtherWordsAreRefusedByTheWordsThereAre) {
   EXPECT_TRUE(is_refused("shape = \"polygons\"\n", 1, "polygon"));
   EXPECT_TRUE(is_refused("shape = \"disk\"\ncorners = 4\n", 2, "corners"));
   EXPECT_TRUE(is_refused("shape = \"clump\"\nrounding = 0.1\n", 2, "rounding"));
+}
+
+TEST(ShapesInRecipes, GrainsInSpaceAreSpheresAndWereOnceCalledDisks) {
+  const auto in_space = [](const std::string& shape) {
+    const auto& templates = recipe_templates();
+    const auto spheres = std::ranges::find(templates, std::string_view("spheres"), &RecipeTemplate::name);
+    std::string text = to_toml(spheres->make());
+    const std::string own = "shape = \"sphere\"\n";
+    const auto at = text.find(own);
+    EXPECT_NE(at, std::string::npos) << text;
+    return parse_recipe(text.replace(at, own.size(), shape), {});
+  };
+  const Recipe now = in_space("shape = \"sphere\"\n");
+  for (const char* shape : {"", "shape = \"disk\"\n"}) {
+    const Recipe then = in_space(shape);
+    EXPECT_EQ(to_toml(then), to_toml(now)) << shape;
+    EXPECT_EQ(then.notices, now.notices) << shape;
+  }
+  EXPECT_EQ(changed_keys(now).find("shape"), std::string::npos) << "results keep their names";
+  EXPECT_THROW(in_space("shape = \"clump\"\n"), InputError);
+  EXPECT_TRUE(is_refused("shape = \"sphere\"\n", 1, "sphere"));
 }
 
 TEST(ShapesInRecipes, AreRefusedWhereOnlyDisksCanBe) {
