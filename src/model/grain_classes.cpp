@@ -36,6 +36,8 @@ template std::optional<ClassMaterials> classes_by_radius(const PackingIn<3>&);
 template std::vector<GrainClass> classes_of(const PackingIn<2>&, const std::optional<ClassMaterials>&);
 template std::vector<GrainClass> classes_of(const PackingIn<3>&, const std::optional<ClassMaterials>&);
 
-SampleLengths sample_lengths(double large_radius) { return {0.075 * large_radius, 25.6 * large_radius}; }
+SampleLengths sample_lengths(double large_radius) {
+  return {SampleLengths::gap_over_radius * large_radius, SampleLengths::window_over_radius * large_radius};
+}
 
 }  // namespace arenite

@@ -27,6 +27,7 @@ std::vector<GrainClass> classes_of(const PackingIn<D>& packing, const std::optio
 /// Lengths that a sample takes from the mean radius of its large grains, as P does, whose grid has 40 nodes to it
 /// (P II.B): necks bridge gaps of 3 nodes, and the window is 1024 nodes wide.
 struct SampleLengths {
+  static constexpr double gap_over_radius = 3.0 / 40, window_over_radius = 1024.0 / 40;
   double gap = 0, window = 0;  ///< m
 };
 SampleLengths sample_lengths(double large_radius);

@@ -1,7 +1,12 @@
 #include "recipe/cemented.hpp"
 
+#include <fmt/core.h>
+
 #include <numbers>
+#include <string>
 #include <vector>
+
+#include "model/grain_classes.hpp"
 
 namespace arenite::recipe {
 
@@ -22,10 +27,11 @@ std::vector<Word> words(grid::Cavity) {
 void declare(Visitor& v, cement::CementParameters& law, int dimension) {
   using Kind = cement::CementParameters::Kind;
   v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
-  v.number({"gap",
-            "Widest surface gap that is bridged, and in the plane at which two grains count as neighbours; unless "
-            "given, 0.075 of the mean large radius."},
-           law.gap, "mm", range::not_negative);
+  static const std::string gap = fmt::format(
+      "Widest surface gap that is bridged, and in the plane at which two grains count as neighbours; unless given, {} "
+      "of the mean large radius.",
+      SampleLengths::gap_over_radius);
+  v.number({"gap", gap}, law.gap, "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
   v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
     inner.number(
@@ -62,12 +68,16 @@ void declare(Visitor& v, cement::CementParameters& law, int dimension) {
 }
 
 void declare(Visitor& v, GridSection& grid, int dimension) {
-  v.integer({"nodes", "Nodes along a side of the square; in space voxels along a side of the cube, 128 unless given."},
-            dimension == 3 ? grid.voxels : grid.nodes, {7, 32'768});
-  v.number({"crop",
-            "Side of the centred square to crop; unless given, 25.6 mean large radii of a sampled packing, otherwise "
-            "the largest square, in space the largest cube, inside the sample."},
-           grid.crop, "mm", range::positive);
+  static const std::string
+      nodes =
+          fmt::format("Nodes along a side of the square; in space voxels along a side of the cube, {} unless given.",
+                      GridSection{}.voxels),
+      crop = fmt::format(
+          "Side of the centred square to crop; unless given, {} mean large radii of a sampled packing, otherwise the "
+          "largest square, in space the largest cube, inside the sample.",
+          SampleLengths::window_over_radius);
+  v.integer({"nodes", nodes}, dimension == 3 ? grid.voxels : grid.nodes, {7, 32'768});
+  v.number({"crop", crop}, grid.crop, "mm", range::positive);
   v.flag({"eight_connected", "Pores and voids are also connected across corners."}, grid.cavities.eight_connected);
   v.integer({"fewest_nodes", "Pores and voids of fewer nodes are artefacts of the grid and left out."},
             grid.cavities.fewest_nodes, {1, 1'000'000});

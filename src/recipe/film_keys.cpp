@@ -1,12 +1,16 @@
 #include "recipe/film_keys.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <string>
 
+#include "core/units.hpp"
 #include "recipe/film_recipe.hpp"
+#include "thermal/radiometry/band.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -96,13 +100,18 @@ void declare(Visitor& v, TemperatureSection& temperature) {
          "Emissivity assumed in the temperatures of the film; they are then corrected to those of the materials."},
         temperature.assumed_emissivity, "", range::above(0, 1));
   });
-  v.number({"emissivity", "Emissivity of materials without their own; 0.9 unless given."}, temperature.emissivity, "",
-           range::above(0, 1));
-  v.number({"ambient", "Temperature of the surroundings that the grains reflect; 296 K unless given."},
-           temperature.ambient, "K", range::positive);
-  v.numbers({"band",
-             "Shortest and longest wavelength of the camera's band; unless given, that of the film, or 3.6 to 5.1 um."},
-            temperature.band, "um", range::positive);
+  constexpr radiometry::Band usual;
+  static const std::string
+      emissivity =
+          fmt::format("Emissivity of materials without their own; {} unless given.", radiometry::usual_emissivity),
+      ambient = fmt::format("Temperature of the surroundings that the grains reflect; {} unless given.",
+                            format_quantity(radiometry::Surface{}.ambient, "K")),
+      band = fmt::format(
+          "Shortest and longest wavelength of the camera's band; unless given, that of the film, or {} to {}.",
+          format_quantity(usual.low, "um"), format_quantity(usual.high, "um"));
+  v.number({"emissivity", emissivity}, temperature.emissivity, "", range::above(0, 1));
+  v.number({"ambient", ambient}, temperature.ambient, "K", range::positive);
+  v.numbers({"band", band}, temperature.band, "um", range::positive);
   v.require(temperature.band.empty() || (temperature.band.size() == 2 && temperature.band[1] > temperature.band[0]),
             {"band"}, "must be the shortest and the longest wavelength, such as [\"3.6 um\", \"5.1 um\"]");
 }

@@ -7,6 +7,7 @@
 #include "io/disk/file.hpp"
 #include "recipe/declared.hpp"
 #include "recipe/templates.hpp"
+#include "thermal/radiometry/band.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -85,6 +86,13 @@ thermography::LockinOptions LockinSection::options() const {
   return o;
 }
 
+thermography::LockinOptions LockinAlone::options() const {
+  thermography::LockinOptions o = LockinSection::options();
+  o.refine = refine;
+  o.convention = convention;
+  return o;
+}
+
 thermography::StepOptions StepSection::options() const {
   thermography::StepOptions o;
   o.time = time;
@@ -96,7 +104,7 @@ thermography::StepOptions StepSection::options() const {
 
 std::vector<double> emissivities(const FilmRecipe& recipe) {
   return mapped(recipe.materials, [&](const FilmMaterial& m) {
-    return m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9));
+    return m.emissivity.value_or(recipe.temperature.emissivity.value_or(radiometry::usual_emissivity));
   });
 }
 

@@ -55,11 +55,11 @@ struct CorrectionSection {
 struct TemperatureSection {
   enum class From { references, radiometry, curve, film };
   From from = From::references;
-  std::string curve;                         ///< CSV of level and temperature
-  std::optional<double> emissivity;          ///< of materials that do not say theirs; 0.9 unless given
-  std::optional<double> ambient;             ///< of what grains mirror, K; 296 unless given
+  std::string curve;                 ///< CSV of level and temperature
+  std::optional<double> emissivity;  ///< of materials that do not say theirs; radiometry::usual_emissivity unless given
+  std::optional<double> ambient;     ///< of what grains mirror, K; radiometry::Surface has it unless given
   std::optional<double> assumed_emissivity;  ///< that the temperatures of a film in kelvin were made with
-  std::vector<double> band;  ///< shortest and longest wavelength, m; empty: what the film says, or 3.6 to 5.1 um
+  std::vector<double> band;  ///< shortest and longest wavelength, m; empty: what the film says, or radiometry::Band
 };
 
 struct LockinSection {
@@ -91,6 +91,7 @@ struct LockinAlone : LockinSection {
   std::optional<double> pixel;
   AmplitudeConvention convention = AmplitudeConvention::amplitude;
   bool refine = true;
+  thermography::LockinOptions options() const;
 };
 
 struct ForcesSection {
@@ -152,7 +153,7 @@ struct FilmRecipe {
   std::filesystem::path film_named() const;
 };
 
-/// Emissivity of every material: its own, that of [temperature], or 0.9.
+/// Emissivity of every material: its own, that of [temperature], or the usual one.
 std::vector<double> emissivities(const FilmRecipe& recipe);
 
 /// False where temperatures are to come from the two black-body references (the default) and these are not given.

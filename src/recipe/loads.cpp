@@ -10,6 +10,8 @@
 #include "core/text.hpp"
 #include "model/packing.hpp"
 #include "recipe/recipe.hpp"
+#include "solid/peridynamics/lattice.hpp"
+#include "solid/statics/loading.hpp"
 
 namespace arenite::recipe {
 
@@ -57,8 +59,9 @@ void declare(Visitor& v, StiffnessSection& stiffness) {
        "Young's modulus of bonds between two grains, or grain and matrix; of elements of a grain that touch another "
        "grain, and of the matrix that touch one; unless given, the matrix's."},
       stiffness.interface, "GPa", range::positive);
-  v.number({"particle", "Young's modulus of the grains; unless given, four times the matrix's."}, stiffness.particle,
-           "GPa", range::positive);
+  static const std::string particle = fmt::format("Young's modulus of the grains; unless given, {} times the matrix's.",
+                                                  peridynamics::particle_modulus_over_matrix);
+  v.number({"particle", particle}, stiffness.particle, "GPa", range::positive);
   v.flag({"calibrated",
           "The modulus of the lattice along its axes has the prescribed value; false: the continuum formula, 6 % "
           "stiffer."},
@@ -78,8 +81,9 @@ void declare(Visitor& v, ToughnessSection& toughness) {
            "MPa m^0.5", range::positive);
   v.number({"interface", "Fracture toughness of the interfaces; unless given, the matrix's."}, toughness.interface,
            "MPa m^0.5", range::positive);
-  v.number({"particle", "Fracture toughness of the grains; unless given, 3.5 times the matrix's."}, toughness.particle,
-           "MPa m^0.5", range::positive);
+  static const std::string particle = fmt::format(
+      "Fracture toughness of the grains; unless given, {} times the matrix's.", peridynamics::particle_over_matrix);
+  v.number({"particle", particle}, toughness.particle, "MPa m^0.5", range::positive);
 }
 
 void declare(Visitor& v, StrengthSection& strength) {
@@ -87,8 +91,9 @@ void declare(Visitor& v, StrengthSection& strength) {
            strength.matrix, "MPa", range::positive);
   v.number({"interface", "Tensile strength of the interfaces; unless given, the matrix's."}, strength.interface, "MPa",
            range::positive);
-  v.number({"particle", "Tensile strength of the grains; unless given, 3.5 times the matrix's."}, strength.particle,
-           "MPa", range::positive);
+  static const std::string particle = fmt::format(
+      "Tensile strength of the grains; unless given, {} times the matrix's.", peridynamics::particle_over_matrix);
+  v.number({"particle", particle}, strength.particle, "MPa", range::positive);
 }
 
 void declare(Visitor& v, stress::StressOptions& statistics) {
@@ -122,10 +127,12 @@ void declare(Visitor& v, Load& load) {
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
             "a sliding lower edge carries no shear; fix it, or choose tension or compression");
   v.member({"bond_law", "Law of the bonds between nodes."}, load.law);
-  v.flag({"stop_at_voids",
-          "No bond passes through a void node, so that a crack of one node cuts; otherwise bonds reach across voids "
-          "thinner than the horizon of 3 nodes."},
-         load.stop_at_voids);
+  static const std::string stops = fmt::format(
+      "No bond passes through a void node, so that a crack of one node cuts; otherwise bonds reach across voids "
+      "thinner "
+      "than the horizon of {} nodes.",
+      peridynamics::horizon);
+  v.flag({"stop_at_voids", stops}, load.stop_at_voids);
   v.flag({"failure",
           "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample "
           "splits and keeps carrying load: max_strain ends the test."},
@@ -151,14 +158,19 @@ void declare(Visitor& v, Load& load) {
         {"moduli",
          "Also load along both axes and in shear, for the apparent moduli and Poisson's ratios between rigid clamps."},
         load.moduli);
-    inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."},
-                  load.max_iterations, {0, 1'000'000'000});
+    static const std::string most = fmt::format(
+        "Iterations after which a solve gives up; 0: {}, in space {}, more for a finer tolerance, or {} steps of "
+        "dynamics.",
+        statics::usual_cap(Load{}.tolerance), statics::usual_cap(Load{}.tolerance, 3), peridynamics::usual_steps);
+    inner.integer({"max_iterations", most}, load.max_iterations, {0, 1'000'000'000});
   });
   v.when(load.method == LoadMethod::peridynamics, "method = \"peridynamics\"", [&](Visitor& bonds) {
-    bonds.integer({"horizon_in_space",
-                   "Horizon of the bonds in space, in voxels: 2 for 32 bonds a voxel, 3 for 122, which cost four "
-                   "times as much. In the plane it is 3 nodes."},
-                  load.horizon_in_space, {2, 3});
+    static const std::string in_space = fmt::format(
+        "Horizon of the bonds in space, in voxels: 2 for 32 bonds a voxel, 3 for 122, which cost four times as much. "
+        "In "
+        "the plane it is {} nodes.",
+        peridynamics::horizon);
+    bonds.integer({"horizon_in_space", in_space}, load.horizon_in_space, {2, 3});
   });
   v.number({"tolerance", "Residual, relative to that of uniform strain, at which equilibrium is reached."},
            load.tolerance, "", range::between(1e-12, 0.1));
@@ -236,7 +248,8 @@ elements::Material Load::material() const {
 }
 
 peridynamics::Stiffness StiffnessSection::resolved() const {
-  return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated};
+  return {matrix, interface.value_or(matrix), particle.value_or(peridynamics::particle_modulus_over_matrix * matrix),
+          calibrated};
 }
 
 peridynamics::Toughness ToughnessSection::resolved() const {

@@ -21,7 +21,7 @@ struct Recipe;
 /// Moduli of the bonds, Pa; what is not given follows P Table I.
 struct StiffnessSection {
   double matrix = 1e9;
-  std::optional<double> interface, particle;  ///< E_i = E_m, E_p = 4 E_m
+  std::optional<double> interface, particle;
   bool calibrated = true;
   bool operator==(const StiffnessSection&) const = default;
   peridynamics::Stiffness resolved() const;
@@ -37,7 +37,7 @@ struct PoissonSection {
 /// Fracture toughness of the bonds, Pa m^0.5; what is not given follows P Table I.
 struct ToughnessSection {
   double matrix = 1e5;
-  std::optional<double> interface, particle;  ///< K_i = K_m, K_p = 3.5 K_m
+  std::optional<double> interface, particle;
   bool operator==(const ToughnessSection&) const = default;
   peridynamics::Toughness resolved() const;
 };

@@ -36,7 +36,7 @@ std::vector<Demand> demands_on(const Equilibrium& now, const EquilibriumCriterio
       {"unbalanced force ratio", "equilibrium.unbalanced", now.unbalanced_ratio, wanted.unbalanced},
       {"kinetic over elastic energy", "equilibrium.kinetic", now.kinetic_ratio, wanted.kinetic},
       {"that of grains that carry no load", "equilibrium.loose_kinetic", now.loose_kinetic,
-       wanted.loose_kinetic.value_or(1e5 * wanted.kinetic)},
+       wanted.loose_kinetic.value_or(EquilibriumCriterion::loose_over_kinetic * wanted.kinetic)},
       {"share of grains that fall", "equilibrium.falling", now.falling, wanted.falling, true}};
   if (wanted.mobilisation)
     demands.push_back({"mobilised friction", "equilibrium.mobilisation", now.mobilisation, *wanted.mobilisation});

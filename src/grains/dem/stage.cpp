@@ -187,11 +187,11 @@ void EquilibriumCriterion::declare(Visitor& v) {
   v.number(
       {"falling", "Fraction of grains that still fall (gravity, fewer than two compressive contacts) not above this."},
       falling, "", range::not_negative);
-  v.number({"loose_kinetic",
-            "Kinetic energy of the grains that carry no load (fewer than two compressive contacts) over elastic energy "
-            "below this; a hundred thousand times `kinetic` unless given, because without gravity only rare collisions "
-            "slow them."},
-           loose_kinetic, "", range::positive);
+  static const std::string loose = fmt::format(
+      "Kinetic energy of the grains that carry no load (fewer than two compressive contacts) over elastic energy below "
+      "this; {} times `kinetic` unless given, because without gravity only rare collisions slow them.",
+      loose_over_kinetic);
+  v.number({"loose_kinetic", loose}, loose_kinetic, "", range::positive);
   v.number(
       {"mobilisation",
        "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."},

@@ -155,11 +155,11 @@ inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 
 /// When an increment counts as done.
 struct EquilibriumCriterion {
-  double unbalanced = 1e-4;  ///< unbalanced force ratio
-  double kinetic = 1e-6;     ///< kinetic over elastic energy
-  double falling = 1e-3;     ///< share of grains that may still fall
-  std::optional<double>
-      loose_kinetic;  ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
+  double unbalanced = 1e-4;                          ///< unbalanced force ratio
+  double kinetic = 1e-6;                             ///< kinetic over elastic energy
+  double falling = 1e-3;                             ///< share of grains that may still fall
+  static constexpr double loose_over_kinetic = 1e5;  ///< of `loose_kinetic` unless it is set
+  std::optional<double> loose_kinetic;  ///< kinetic energy of grains that carry nothing over elastic energy
   std::optional<double> mobilisation;   ///< mean |F_t|/F_n below this as well; unset: not asked
   std::int64_t max_steps = 20'000'000;  ///< of one increment; then the stage ends with exit status 3
   bool operator==(const EquilibriumCriterion&) const = default;

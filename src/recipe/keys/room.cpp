@@ -1,6 +1,9 @@
 #include "recipe/keys/room.hpp"
 
+#include <fmt/core.h>
+
 #include <optional>
+#include <string>
 
 #include "recipe/keys.hpp"
 #include "recipe/recipe.hpp"
@@ -73,10 +76,11 @@ void declare_packing(Visitor& v, Recipe& recipe) {
            declare_fill_area(inner, packing.area, recipe.dimension == 3);
          });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
-    inner.number({"solid_fraction",
-                  "Target solid fraction (area of grains over area of the box, in space volume over volume) of the "
-                  "random filling; loading compacts it. In space 0.5 unless given."},
-                 packing.solid_fraction, "", range::above(0, 0.9));
+    static const std::string fraction = fmt::format(
+        "Target solid fraction (area of grains over area of the box, in space volume over volume) of the random "
+        "filling; loading compacts it. In space {} unless given.",
+        PackingParameters::usual_in_space);
+    inner.number({"solid_fraction", fraction}, packing.solid_fraction, "", range::above(0, 0.9));
   });
   v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
     inner.file({"file", "CSV of the grains: id, x, y, radius, material.", true}, packing.file);

@@ -9,6 +9,7 @@
 #include "geometry/close_pairs.hpp"
 #include "geometry/rectangle.hpp"
 #include "geometry/round_bridge.hpp"
+#include "model/grain_classes.hpp"
 
 namespace arenite::cement {
 namespace {
@@ -18,7 +19,7 @@ double mean_radius(const SpherePack& pack) {
 }
 
 double gap_of(const SpherePack& pack, const CementParameters& parameters) {
-  return parameters.gap.value_or(0.075 * mean_radius(pack));
+  return parameters.gap.value_or(SampleLengths::gap_over_radius * mean_radius(pack));
 }
 
 /// Images of one sphere along one axis: those whose coordinate lies within `reach` of the box.

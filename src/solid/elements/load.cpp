@@ -14,7 +14,7 @@ namespace arenite::elements {
 /// Images of porous matter without grains take a few times as many iterations as packings.
 template <int D> int most_iterations(const SolveOptions& options) {
   if (options.max_iterations > 0) return options.max_iterations;
-  return (D == 2 ? 1 : 4) * statics::usual_cap(options.tolerance);
+  return statics::usual_cap(options.tolerance, D);
 }
 
 /// With wider cells a sample in space takes a few iterations more, in as much time; where it is large they spare

@@ -14,7 +14,7 @@ namespace arenite::elements {
 /// How a sample of elements is solved.
 struct SolveOptions {
   double tolerance = 1e-6;  ///< of the residual, relative to that of uniform strain
-  int max_iterations = 0;   ///< 0: 50 in the plane and 200 in space, more for tolerances below 1e-6
+  int max_iterations = 0;   ///< 0: `statics::usual_cap`
   int cell = 0;  ///< elements a side of the coarse cells; 0: 16 in the plane, 8 to 16 in space (thin struts: 4)
   Material material{};
   int threads = 1;  ///< that work on a sample in space; the field does not depend on their number

@@ -63,7 +63,7 @@ StaticReport find_equilibrium(Specimen& s, Field<double>& u) {
     return o.exact_stretch ? solve_exact_stretch(s.bonds, s.map.dx, s.prescribed, solver, u, o.tolerance, most, o.watch)
                            : solver.solve(s.bonds, u, o.tolerance, most, o.watch);
   }
-  const int most = o.max_iterations > 0 ? o.max_iterations : 1'000'000;
+  const int most = o.max_iterations > 0 ? o.max_iterations : usual_steps;
   const Dynamics dynamics{s.bonds, s.prescribed, s.map.dx, o.exact_stretch, o.tolerance, most, o.watch};
   return o.method == Method::relaxation ? adaptive_relaxation(dynamics, u) : damped_dynamics(dynamics, u);
 }

@@ -17,9 +17,12 @@ using statics::LowerEdge;
 using statics::Progress;
 using statics::Watch;
 
-/// Young moduli of the bond types, Pa (P Table I: E_p = 4 E_m, E_i = E_m).
+/// E_p over E_m (P Table I).
+inline constexpr double particle_modulus_over_matrix = 4;
+
+/// Young moduli of the bond types, Pa (P Table I: E_i = E_m).
 struct Stiffness {
-  double matrix = 1, interface = 1, particle = 4;
+  double matrix = 1, interface = 1, particle = particle_modulus_over_matrix;
   /// The micromodulus that gives the lattice's Young modulus along its axes; otherwise P's nominal one (eq. 5).
   bool calibrated = true;
 };
@@ -63,10 +66,13 @@ struct LoadCase {
   bool operator==(const LoadCase&) const = default;
 };
 
+/// Steps after which dynamics are given up.
+inline constexpr int usual_steps = 1'000'000;
+
 /// How the field at a strain is found.
 struct FieldChoices {
   double strain = 1e-4;    ///< displacement of the top row over the distance of the two rows
-  int max_iterations = 0;  ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
+  int max_iterations = 0;  ///< 0: `usual_steps`; of the static solve `statics::usual_cap`
   /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
   bool exact_stretch = false;
   bool operator==(const FieldChoices&) const = default;

@@ -35,7 +35,9 @@ void check_load(double strain, double tolerance) {
     throw refusal("the tolerance of the residual is {:g}; give one between 0 and 1", tolerance);
 }
 
-int usual_cap(double tolerance) { return static_cast<int>(std::ceil(50 * std::max(1.0, std::log10(tolerance) / -6))); }
+int usual_cap(double tolerance, int dimension) {
+  return (dimension == 3 ? 4 : 1) * static_cast<int>(std::ceil(50 * std::max(1.0, std::log10(tolerance) / -6)));
+}
 
 template <int D> FieldIn<D, double> uniform_strain(const Grid& grid, const Buffer<Tie>& tie, Vec<D> top) {
   FieldIn<D, double> u(grid.padded_size());

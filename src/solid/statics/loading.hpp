@@ -32,8 +32,9 @@ template <int D> std::vector<std::uint8_t> prescribed_levels(int levels, Loading
 /// Throws InputError for a strain or a tolerance that make no sense.
 void check_load(double strain, double tolerance);
 
-/// Iterations after which a static solve is given up: 50 for the six decades of the usual tolerance, more for more.
-int usual_cap(double tolerance);
+/// Iterations after which a static solve is given up: 50 for the six decades of the usual tolerance, in space four
+/// times as many, more for more.
+int usual_cap(double tolerance, int dimension = 2);
 
 /// Which clamp a node moves with where it carries nothing.
 enum class Tie : std::uint8_t { none = 0, below = 1, above = 2, both = 3 };

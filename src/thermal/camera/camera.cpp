@@ -1,7 +1,10 @@
 #include "thermal/camera/camera.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace arenite::camera {
 namespace {
@@ -38,10 +41,12 @@ void declare(Visitor& v, Photograph& photograph) {
 }
 
 void declare(Visitor& v, Detector& detector) {
-  v.number({"electrons", "Electrons in a pixel at 296 K; their square root is the shot noise."}, detector.electrons, "",
-           range::positive);
+  static const std::string electrons = fmt::format("Electrons in a pixel at {} K; their square root is the shot noise.",
+                                                   Detector::reference),
+                           netd = fmt::format("Noise equivalent temperature difference at {} K.", Detector::reference);
+  v.number({"electrons", electrons}, detector.electrons, "", range::positive);
   v.number({"full_well", "Electrons at the highest level."}, detector.full_well, "", range::positive);
-  v.number({"netd", "Noise equivalent temperature difference at 296 K."}, detector.netd, "mK", range::not_negative);
+  v.number({"netd", netd}, detector.netd, "mK", range::not_negative);
   v.integer({"bits", "Bits of a digital level."}, detector.bits, {4, 16});
   v.number({"gain_spread", "Standard deviation of the pixels' gain."}, detector.gain_spread, "%",
            range::between(0, 0.5));

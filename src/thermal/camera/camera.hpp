@@ -25,9 +25,10 @@ struct Optics {
 
 /// From light to digital levels.
 struct Detector {
-  double electrons = 6e6;    ///< in a pixel at 296 K; their square root is the shot noise
-  double full_well = 1.2e7;  ///< electrons at the highest level
-  double netd = 0.020;       ///< noise equivalent temperature difference at 296 K, shot noise included, K
+  static constexpr double reference = 296;  ///< temperature of the black body whose light is the unit, K
+  double electrons = 6e6;                   ///< in a pixel at `reference`; their square root is the shot noise
+  double full_well = 1.2e7;                 ///< electrons at the highest level
+  double netd = 0.020;  ///< noise equivalent temperature difference at `reference`, shot noise included, K
   std::int64_t bits = 14;
   double gain_spread = 0.02;     ///< standard deviation of the pixels' gain
   double offset_spread = 0.03;   ///< of their offset, share of the range
@@ -64,7 +65,7 @@ struct Surroundings {
   double ambient = 291;                 ///< mirrored by what is not black, K
   double background_emissivity = 0.55;  ///< of what is seen between the grains
   double container_emissivity = 0.3;    ///< of the container round the sample
-  std::vector<double> emissivity;       ///< one a material; 0.9 where there is none
+  std::vector<double> emissivity;       ///< one a material; the usual one where there is none
   double drift = 0.010;                 ///< K/s, of the whole scene
   double drift_growth = 0;              ///< K/s^2, of that rate
   double warm_up = 0;                   ///< K by which the scene warms beside, exponentially

@@ -140,7 +140,8 @@ class Detection {
         width_(static_cast<std::size_t>(p.optics.width)) {
     const auto& d = p.detector;
     highest_ = static_cast<float>((1 << d.bits) - 1);
-    light_per_kelvin_ = radiometry::photon_exitance_slope(p.band, 296) / radiometry::photon_exitance(p.band, 296);
+    light_per_kelvin_ = radiometry::photon_exitance_slope(p.band, Detector::reference) /
+                        radiometry::photon_exitance(p.band, Detector::reference);
     const double total = d.netd * light_per_kelvin_;
     shot_ = d.netd > 0 ? std::min(1 / d.electrons, total * total) : 0;
     read_ = total * total - shot_;
@@ -163,8 +164,8 @@ class Detection {
         own_jump_.push_back(static_cast<float>(d.jump_pattern * light_per_kelvin_ * jumps.normal()));
   }
 
-  /// Turns light (photons over those of a black body at 296 K) into levels. `warmer` is the drift of the scene, K, at
-  /// `time` (s); (seed, frame) name the draw of the noise.
+  /// Turns light (photons over those of a black body at the reference) into levels. `warmer` is the drift of the scene,
+  /// K, at `time` (s); (seed, frame) name the draw of the noise.
   void record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame,
               std::uint16_t* level) {
     const std::vector<float>& normal = noise_.of(seed, frame);

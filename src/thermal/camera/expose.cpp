@@ -14,8 +14,6 @@
 namespace arenite::camera {
 namespace {
 
-constexpr double reference_temperature = 296;
-
 /// N(T0 + theta) near T0 by its Taylor polynomial: theta is below a kelvin or so.
 struct Exitance {
   double value, slope, half_curvature;
@@ -24,9 +22,9 @@ struct Exitance {
 
 Exitance exitance_near(const Parameters& p, double emissivity) {
   const auto& around = p.surroundings;
-  const double unit = radiometry::photon_exitance(p.band, reference_temperature);
-  const double slope = radiometry::photon_exitance_slope(p.band, reference_temperature) / unit;
-  if (!around.radiometry) return {1 + slope * (around.temperature - reference_temperature), slope, 0};
+  const double unit = radiometry::photon_exitance(p.band, Detector::reference);
+  const double slope = radiometry::photon_exitance_slope(p.band, Detector::reference) / unit;
+  if (!around.radiometry) return {1 + slope * (around.temperature - Detector::reference), slope, 0};
   const double t = around.temperature, h = 0.01;
   const auto slope_at = [&](double at) { return radiometry::photon_exitance_slope(p.band, at); };
   const double mirrored = (1 - emissivity) * radiometry::photon_exitance(p.band, around.ambient);
@@ -117,7 +115,7 @@ std::vector<double> grain_emissivities(const Scene& scene, const Surroundings& a
   std::vector<double> emissivity;
   for (std::size_t i = 0; i < scene.grains.size(); ++i) {
     const auto m = static_cast<std::size_t>(scene.grains.material[i]);
-    emissivity.push_back(m < around.emissivity.size() ? around.emissivity[m] : 0.9);
+    emissivity.push_back(m < around.emissivity.size() ? around.emissivity[m] : radiometry::usual_emissivity);
     if (around.emissivity_scatter <= 0) continue;
     const double share = 1 + around.emissivity_scatter * RandomStream(seed, Purpose::emissivity, i).normal();
     emissivity.back() = std::clamp(emissivity.back() * share, 0.01, 1.0);

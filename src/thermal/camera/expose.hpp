@@ -8,8 +8,8 @@
 
 namespace arenite::camera {
 
-/// The picture of the scene at load fraction s: photons over those of a black body at 296 K, pixel by pixel, from the
-/// top. Where emissivities scatter, those of the grains follow from the seed.
+/// The picture of the scene at load fraction s: photons over those of a black body at the reference, pixel by pixel,
+/// from the top. Where emissivities scatter, those of the grains follow from the seed.
 std::vector<float> expose(const Scene& scene, const Parameters& parameters, double s, std::uint64_t seed = 1);
 
 /// What the ordinary camera sees of the sample at the smallest load: one grey a material, of `brightness` 0 to 1, half

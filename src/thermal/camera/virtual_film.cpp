@@ -135,8 +135,9 @@ std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double te
   Parameters p = parameters;
   p.detector.jump = p.detector.jump_pattern = 0;  // which belong to the film of the sample
   FilmInfo info = describe(p, frames);
-  const std::vector<float> light(info.pixels(), static_cast<float>(radiometry::photon_exitance(p.band, temperature) /
-                                                                   radiometry::photon_exitance(p.band, 296)));
+  const std::vector<float> light(info.pixels(),
+                                 static_cast<float>(radiometry::photon_exitance(p.band, temperature) /
+                                                    radiometry::photon_exitance(p.band, Detector::reference)));
   const std::uint64_t of_its_own = seed + static_cast<std::uint64_t>(temperature * 1e3);
   return std::make_unique<RecordedFilm>(std::move(info), [light, of_its_own, rate = p.timing.frame_rate,
                                                           detector = Detection(p, seed)](std::size_t frame,

@@ -22,6 +22,9 @@ inline double exitance_exponent(const Band& band, double temperature) {
 /// The temperature whose photon exitance this is, K: the inverse of photon_exitance. 0 for an exitance of 0 or less.
 double temperature_of_exitance(const Band& band, double exitance);
 
+/// Of grains whose material does not say theirs.
+inline constexpr double usual_emissivity = 0.9;
+
 /// A surface that is not black, and what it mirrors.
 struct Surface {
   double emissivity = 1;  ///< above 0, at most 1

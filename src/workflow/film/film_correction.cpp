@@ -79,7 +79,8 @@ thermography::LevelRange range_of(const FilmInfo& film) {
 /// are corrected grain by grain; of a film in kelvin the one that its temperatures were made with.
 thermography::GrainSurfaces surfaces_of(const recipe::FilmRecipe& recipe, const radiometry::Band& band) {
   const auto& t = recipe.temperature;
-  thermography::GrainSurfaces surfaces{band, {1, t.ambient.value_or(296)}, emissivities(recipe)};
+  thermography::GrainSurfaces surfaces{
+      band, {1, t.ambient.value_or(radiometry::Surface{}.ambient)}, emissivities(recipe)};
   const auto& all = surfaces.emissivity;
   const bool alike = std::all_of(all.begin(), all.end(), [&](double e) { return e == all.front(); });
   if (t.from == From::film) surfaces.assumed.emissivity = *t.assumed_emissivity;

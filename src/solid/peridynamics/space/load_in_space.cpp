@@ -30,7 +30,7 @@ statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options) {
   });
   if (r.support.carrying > 0) {
     statics::StaticSolver<SpaceBonds> solver(bonds, cut_space_bonds(map, bonds, prescribed, space_cell), prescribed);
-    const int most = options.max_iterations > 0 ? options.max_iterations : 4 * statics::usual_cap(options.tolerance);
+    const int most = options.max_iterations > 0 ? options.max_iterations : statics::usual_cap(options.tolerance, 3);
     static_cast<statics::StaticReport&>(r) = solver.solve(bonds, u, options.tolerance, most, options.watch);
     r.ending = statics::ending_of(r);
   } else {
