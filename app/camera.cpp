@@ -56,7 +56,8 @@ void add_camera(Options& command, int& status) {
       .required()
       .type("RECIPE.toml");
   add_overrides(command, a->overrides);
-  command.add("--out", a->out, "Folder of the film, its references and its recipe (default: out/film)").type("DIR");
+  command.add("--out", a->out, fmt::format("Folder of the film, its references and its recipe (default: {})", a->out))
+      .type("DIR");
   a->written.add(command, "--format", "format");
   command.add("--blind", a->blind,
               "Omit from film.toml what no laboratory knows exactly: lens blur, surroundings, phase of the load, "

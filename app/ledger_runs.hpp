@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/study_folder.hpp"
+#include "campaign/run_study.hpp"
 #include "validation/further_seeds.hpp"
 
 namespace arenite::app {
@@ -15,7 +15,7 @@ namespace arenite::app {
 struct VerifyArguments {
   std::vector<std::string> sources, overrides, only;
   std::string out, markdown, csv, verdicts, expected, keep = "numbers", budget;
-  std::size_t jobs = 1;
+  std::size_t jobs = campaign::Jobs{}.at_once();
   bool small = false, json = false, read_only = false, retry = false, quiet = false;
 };
 

@@ -95,8 +95,6 @@ int execute(LockinArguments& a) {
   thermography::LockinOptions& o = a.options;
   o = a.section.options();
   o.threads = a.threads;
-  o.refine = a.section.refine;
-  o.convention = a.section.convention;
   const auto film = io::open_film(a.film, a.reading.choice());
   tell_remarks(a.film, film->info());
   watch_for_signals();

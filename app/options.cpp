@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "campaign/run_study.hpp"
 #include "commands.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
@@ -163,10 +164,7 @@ Option& KeyOptions::add_word(Options& to, std::string_view name, std::string_vie
   const recipe::Record& record = at(key);
   Slot& slot =
       slots_.emplace_back(Slot{std::string(name), std::string(key), {}, &record, {}, std::string(word), false});
-  const std::string_view sentence = record.key.sentence.substr(0, record.key.sentence.size() - 1);
-  if (record.type == recipe::Record::Type::flag) return to.add(name, slot.on, fmt::format("Off: {}", sentence));
-  const auto choice = std::ranges::find(record.choices, word, [](const auto& each) { return each.word.word; });
-  return to.add(name, slot.on, fmt::format("{}: {}", sentence, choice->sentence));
+  return to.add(name, slot.on, recipe::help_of(record, word));
 }
 
 void KeyOptions::add_section(const Slot& slot, std::vector<recipe::Given>& given) const {
@@ -229,9 +227,22 @@ Option& add_checkpoints(Options& to, double& seconds) {
 }
 
 Option& add_jobs(Options& to, std::uint64_t& jobs) {
-  return to.add("--jobs", jobs, "Concurrent runs, each in its own process (default: all cores)")
-      .between(1, 4096)
+  static const recipe::RecordTable keys = recipe::every_key<campaign::Jobs>();
+  const recipe::Record& record = recipe::record_at(keys, "jobs");
+  return to.add("--jobs", jobs, recipe::help_of(record))
+      .between(static_cast<double>(record.integers.min), static_cast<double>(record.integers.max))
       .type("J");
+}
+
+Option& add_retry(Options& to, bool& retry) {
+  return to.add("--retry", retry, "Repeat runs that failed, or found no equilibrium");
+}
+Option& add_keep(Options& to, std::string& what) {
+  return to
+      .add("--keep", what,
+           fmt::format("Keep all files, or only the numbers of cemented samples and loads (default {})", what))
+      .type("WHAT")
+      .among({"all", "numbers"});
 }
 
 Option& add_quiet(Options& to, bool& quiet) { return to.add("--quiet", quiet, "Show no progress"); }

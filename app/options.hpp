@@ -103,6 +103,9 @@ Option& add_threads(Options& to, int& threads);
 /// --checkpoint-every and --jobs, likewise.
 Option& add_checkpoints(Options& to, double& seconds);
 Option& add_jobs(Options& to, std::uint64_t& jobs);
+/// --retry and --keep of a command that does the runs of studies.
+Option& add_retry(Options& to, bool& retry);
+Option& add_keep(Options& to, std::string& what);
 /// --quiet of a command with progress, --json of one that prints a result's numbers.
 Option& add_quiet(Options& to, bool& quiet);
 Option& add_json(Options& to, bool& json);

@@ -7,6 +7,7 @@
 
 #include "campaign/collect.hpp"
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "io/disk/file.hpp"
 #include "print.hpp"
 #include "progress.hpp"
@@ -115,11 +116,15 @@ int execute(const StudyArguments& arguments) {
   return done;
 }
 
+/// Says that an option, which other commands have too, is of this action alone.
+void of_action(std::string_view action, Option& option) {
+  option.sentence = fmt::format("{}: {}{}", action, lower_case(option.sentence.front()), option.sentence.substr(1));
+}
+
 }  // namespace
 
 void add_study(Options& command, int& status) {
   auto a = std::make_shared<StudyArguments>();
-  a->jobs = campaign::every_core();
   command
       .add("what", a->what,
            "Action: list the runs, run them, report progress, collect their numbers, draw the figures, write a script "
@@ -135,12 +140,10 @@ void add_study(Options& command, int& status) {
   add_jobs(command, a->jobs);
   add_threads(command, a->threads);
   command.add("--shard", a->shard, "run: do only one part of the runs, e.g. 2/4").type("I/N");
-  command.add("--retry", a->retry, "run: repeat failed runs");
-  command.add("--keep", a->keep, "run: keep all files, or only the numbers of cemented samples and loads")
-      .type("WHAT")
-      .among({"all", "numbers"});
+  of_action("run", add_retry(command, a->retry));
+  of_action("run", add_keep(command, a->keep));
   add_checkpoints(command, a->checkpoint_seconds);
-  command.add("--quiet", a->quiet, "run, script: show no progress");
+  of_action("run, script", add_quiet(command, a->quiet));
   command.add("--by", a->by, "collect: average over runs with equal values of this swept key; may be repeated")
       .each()
       .type("KEY");

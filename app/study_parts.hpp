@@ -14,7 +14,7 @@ namespace arenite::app {
 struct StudyArguments {
   std::string what, recipe, out, store, shard, keep = "all", time = "1:00:00";
   std::vector<std::string> overrides, by;
-  std::size_t jobs = 1, tasks = 4;
+  std::size_t jobs = campaign::Jobs{}.at_once(), tasks = 4;
   int threads = Threads{}.threads;
   double checkpoint_seconds = workflow::Checkpoints{}.every;
   bool retry = false, quiet = false, slurm = false;

@@ -22,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char *usual_out = "out/ledger", *usual_out_of_small = "out/ledger-small";
+
 int stopped() {
   print(stderr, "stopped; the same command continues where it stopped\n");
   return other_failure;
@@ -83,7 +85,7 @@ void write_page(const validation::Ledger& ledger, const VerifyArguments& a) {
 }
 
 int execute(const VerifyArguments& a) {
-  const fs::path out = !a.out.empty() ? a.out : a.small ? "out/ledger-small" : "out/ledger";
+  const fs::path out = !a.out.empty() ? a.out : a.small ? usual_out_of_small : usual_out;
   const bool draws = !a.budget.empty();
   const double budget =
       draws ? option_value("--budget", [&] { return parse_si(a.budget, dimension::time, "min"); }) : 0;
@@ -111,7 +113,6 @@ int execute(const VerifyArguments& a) {
 
 void add_verify(Options& command, int& status) {
   auto a = std::make_shared<VerifyArguments>();
-  a->jobs = campaign::every_core();
   command.add("source", a->sources, "Source of the claims: the thesis, the paper, or both")
       .required()
       .type("SOURCE")
@@ -128,20 +129,21 @@ void add_verify(Options& command, int& status) {
       .add("--expect", a->expected,
            "Exit with status 3 when a verdict differs from this file, not when a claim is not reproduced")
       .type("FILE");
-  command.add("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)").type("DIR");
+  command
+      .add("--out", a->out,
+           fmt::format("Folder of the studies (default: {}, or {} of small ones)", usual_out, usual_out_of_small))
+      .type("DIR");
   add_jobs(command, a->jobs);
   command.add("--only", a->only, "Run and read only this study; may be repeated").each().type("STUDY");
   command.add("--read", a->read_only, "Run nothing: judge the existing runs");
-  command.add("--retry", a->retry, "Repeat runs that failed, or found no equilibrium").not_with("--read");
+  add_retry(command, a->retry).not_with("--read");
   command
       .add("--budget", a->budget,
            "Then draw further seeds for checks that they can decide, until these are decided or this time on the clock "
            "is over; the same command continues")
       .type("TIME")
       .not_with("--read");
-  command.add("--keep", a->keep, "Keep all files, or only the numbers of cemented samples and loads (default)")
-      .type("WHAT")
-      .among({"all", "numbers"});
+  add_keep(command, a->keep);
   add_quiet(command, a->quiet);
   add_overrides(command, a->overrides);
   command.work = [a, &status] { status = execute(*a); };

@@ -19,7 +19,6 @@ def run_study(
 ) -> Dict[str, int]:
     """Runs a recipe with [sweep], each run in its own process; finished runs are not repeated.
 
-    `jobs` go at once; unless given, as many as the machine has cores.
     `progress(share, "runs")` is called meanwhile. Returns the numbers of runs that are done, not done (failed or
     without equilibrium) and left. Raises ValueError with the program's message.
     """
@@ -45,6 +44,9 @@ def run_study(
     if process.returncode != 0 or "done" not in last:
         raise RuntimeError(f"the study's process ended with status {process.returncode}")
     return last
+
+
+run_study.__doc__ += "\n\n" + _core._run_study.__doc__.split("\n\n")[-1]
 
 
 def _heard(pipe):

@@ -124,9 +124,9 @@ void bind_field(py::module_& m) {
       py::arg("recipe"), py::arg("packing"),
       "Cement and grid according to the recipe, with phases, pores, voids and coordination as numbers.");
   def_with_keywords(m, "load", &loaded, load_keywords(),
-                    "Loads a phase map by peridynamics (P II.C) by displacement of its top row. `toughness` and "
-                    "`strength` are those of the matrix and the interfaces, and 3.5 times as much in particles. "
-                    "Quantities in SI, or text with a unit.",
+                    "Loads a phase map by peridynamics (P II.C) by displacement of its top row. What is not given of "
+                    "interfaces and particles follows from the matrix as in recipes. Quantities in SI, or text with a "
+                    "unit.",
                     py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
                     py::arg("progress") = py::none());
 }

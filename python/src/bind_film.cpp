@@ -29,7 +29,7 @@ template <class Section> void declare(ParameterVisitor& v, OfFilm<Section>& part
   recipe::declare(v, static_cast<recipe::FilmSection&>(parts));
   recipe::declare(v, parts.section);
 }
-using LockinOfFilm = OfFilm<recipe::LockinSection>;
+using LockinOfFilm = OfFilm<recipe::LockinAlone>;
 using StepOfFilm = OfFilm<recipe::StepSection>;
 
 const Keywords& lockin_keywords() {
@@ -37,30 +37,30 @@ const Keywords& lockin_keywords() {
                                  with_film_keywords({{"frequency", "frequency", "", true},
                                                      {"drift_order", "drift"},
                                                      {"harmonics", "harmonics"},
-                                                     {"reference_phase", "phase"}}));
+                                                     {"reference_phase", "phase"},
+                                                     {"refine", "refine"},
+                                                     {"peak_to_peak", "convention=peak-to-peak"},
+                                                     {"nearest_bin", "method=nearest_bin"}}));
   return keywords;
 }
 
-LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std::optional<ArrayLike>& time, bool refine,
-                     bool peak_to_peak, bool nearest_bin, int threads, const Progress& progress,
-                     const py::kwargs& more) {
+LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std::optional<ArrayLike>& time, int threads,
+                     const Progress& progress, const py::kwargs& more) {
   auto given = lockin_keywords().given("lock_in", more);
   given.push_back(lockin_keywords().given("frequency", frequency));
   LockinOfFilm parts;
   read_keywords(parts, given);
   const auto source = film_of(film, parts, time);
   thermography::LockinOptions o = parts.section.options();
-  o.refine = refine;
-  o.convention = peak_to_peak ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
   o.threads = threads_given(threads);
   Call call;
   o.progress = [&](double share) {
     call.tell(progress, share, "lock-in");
     return !call.asked_to_stop();
   };
-  return call.without_lock([&] {
-    return nearest_bin ? thermography::nearest_bin_transform(*source, o) : thermography::lock_in(*source, o);
-  });
+  const bool at_bin = parts.section.method == recipe::LockinSection::Method::nearest_bin;
+  return call.without_lock(
+      [&] { return at_bin ? thermography::nearest_bin_transform(*source, o) : thermography::lock_in(*source, o); });
 }
 
 const Keywords& step_keywords() {
@@ -241,11 +241,8 @@ py::dict inferred(const Packing& packing, const ArrayLike& signal, const ArrayLi
 void bind_film(py::module_& m) {
   def_with_keywords(m, "lock_in", &locked_in, lockin_keywords(),
                     "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not "
-                    "copied, with its `frame_rate` or the `time` of every frame (s). Least squares on polynomial drift "
-                    "and harmonics; `nearest_bin`: the plain transform of T 1.4. `refine`: the frequency is refined on "
-                    "the film. Numbers are in SI, angles in rad.",
+                    "copied, with its `frame_rate` or the `time` of every frame (s). Numbers are in SI, angles in rad.",
                     py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("time") = py::none(),
-                    py::arg("refine") = true, py::arg("peak_to_peak") = false, py::arg("nearest_bin") = false,
                     threads_argument(), py::arg("progress") = py::none());
   def_with_keywords(m, "step_load", &stepped, step_keywords(),
                     "The jump of every pixel at a step of the load: time (s), jump, standard_error, residual (height, "

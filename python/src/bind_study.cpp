@@ -12,6 +12,7 @@
 #include "campaign/run_study.hpp"
 #include "core/mapped.hpp"
 #include "io/table/table.hpp"
+#include "keywords.hpp"
 #include "model/result.hpp"
 #include "module.hpp"
 #include "report/film_text.hpp"
@@ -102,6 +103,37 @@ py::dict periods_of(const py::object& part) {
   return periods;
 }
 
+const Keywords& job_keywords() {
+  static const Keywords keywords(recipe::every_key<campaign::Jobs>(), {{"jobs", "jobs"}});
+  return keywords;
+}
+
+py::dict ran(const Path& recipe, const Path& out, const Progress& progress, const py::kwargs& more) {
+  campaign::Jobs jobs;
+  read_keywords(jobs, job_keywords().given("run_study", more));
+  Call call;
+  const auto outcome = call.without_lock([&] {
+    const campaign::Study study = study_in(recipe, out);
+    campaign::StudyOptions options;
+    options.jobs = jobs.at_once();
+    options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
+    options.film_numbers = report::film_numbers;
+    options.progress = [&](const campaign::StudyProgress& p) {
+      call.tell(progress,
+                static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)),
+                "runs");
+    };
+    options.asked_to_stop = [&] { return call.asked_to_stop(); };
+    options.notice = [&](const std::string& sentence) { call.warn(sentence); };
+    return campaign::run_study(study, campaign::StudyFolder(out), options);
+  });
+  py::dict d;
+  d["done"] = outcome.done;
+  d["not_done"] = outcome.not_done;
+  d["left"] = outcome.left;
+  return d;
+}
+
 }  // namespace
 
 void bind_study(py::module_& m) {
@@ -155,35 +187,9 @@ void bind_study(py::module_& m) {
   m.def(
       "_page_of_figures", [](const py::dict& document) { return report::html_of(from_python(document)); },
       py::arg("document"), "HTML of a page with these figures and tables, as report::html_of has it.");
-  m.def(
-      "_run_study",
-      [](const Path& recipe, const Path& out, std::optional<std::size_t> jobs, const Progress& progress) {
-        if (jobs == 0) throw InputError("jobs is 0; give at least 1");
-        Call call;
-        const auto outcome = call.without_lock([&] {
-          const campaign::Study study = study_in(recipe, out);
-          campaign::StudyOptions options;
-          options.jobs = jobs.value_or(options.jobs);
-          options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
-          options.film_numbers = report::film_numbers;
-          options.progress = [&](const campaign::StudyProgress& p) {
-            call.tell(progress,
-                      static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)),
-                      "runs");
-          };
-          options.asked_to_stop = [&] { return call.asked_to_stop(); };
-          options.notice = [&](const std::string& sentence) { call.warn(sentence); };
-          return campaign::run_study(study, campaign::StudyFolder(out), options);
-        });
-        py::dict d;
-        d["done"] = outcome.done;
-        d["not_done"] = outcome.not_done;
-        d["left"] = outcome.left;
-        return d;
-      },
-      py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("jobs") = py::none(), py::arg("progress") = py::none(),
-      "Runs a recipe with [sweep], each run in its own process; finished runs are not repeated. Returns how many are "
-      "done, not done, left.");
+  def_with_keywords(m, "_run_study", &ran, job_keywords(),
+                    "Runs a recipe with [sweep], each run in a fork of this process.", py::arg("recipe"),
+                    py::arg("out"), py::kw_only(), py::arg("progress") = py::none());
 }
 
 }  // namespace arenite::python

@@ -74,6 +74,14 @@ std::string with_default(const char* name, const Record& record) {
   return fmt::format("{}: Optional[{}] = None", name, type);
 }
 
+/// The two sides of "key=word".
+struct KeyAndWord {
+  std::string key, word;
+  explicit KeyAndWord(std::string_view of)
+      : key(of.substr(0, of.find('='))),
+        word(of.substr(std::min(key.size() + 1, of.size()))) {}
+};
+
 }  // namespace
 
 const Keyword* Keywords::find(const std::string& name) const {
@@ -84,7 +92,12 @@ const Keyword* Keywords::find(const std::string& name) const {
 recipe::Given Keywords::given(const char* name, const py::handle& value) const {
   const Keyword& keyword = *find(name);
   Node node = node_of(name, value);
-  const Record& record = recipe::record_at(keys_, keyword.key);
+  const auto [key, word] = KeyAndWord(keyword.key);
+  const Record& record = recipe::record_at(keys_, key);
+  if (!word.empty()) {
+    if (node.kind != Node::Kind::flag) throw InputError(fmt::format("{}: must be True or False", name));
+    return {name, key, recipe::value_of(record, word)};
+  }
   if (record.type == Record::Type::numbers && node.kind == Node::Kind::text) node = recipe::value_of(record, node.text);
   else if (record.type == Record::Type::numbers && node.kind != Node::Kind::array)
     node = {.kind = Node::Kind::array, .items = {std::move(node)}, .entries = {}};
@@ -92,7 +105,7 @@ recipe::Given Keywords::given(const char* name, const py::handle& value) const {
   if (is_bare && *keyword.bare_unit != '\0')
     node = recipe::parse_value(fmt::format(
         "\"{} {}\"", node.kind == Node::Kind::real ? node.real : static_cast<double>(node.integer), keyword.bare_unit));
-  return {name, keyword.key, std::move(node)};
+  return {name, key, std::move(node)};
 }
 
 std::vector<recipe::Given> Keywords::given(const char* function, const py::kwargs& values) const {
@@ -102,15 +115,22 @@ std::vector<recipe::Given> Keywords::given(const char* function, const py::kwarg
     const Keyword* const keyword = find(name);
     if (!keyword || keyword->is_own)
       throw py::type_error(fmt::format("{}() got an unexpected keyword argument '{}'", function, name));
-    if (!value.is_none()) given.push_back(this->given(keyword->name, value));
+    const bool is_off = value.ptr() == Py_False && !KeyAndWord(keyword->key).word.empty();
+    if (!value.is_none() && !is_off) given.push_back(this->given(keyword->name, value));
   }
   return given;
 }
 
 std::string Keywords::docstring(const std::string& own, const std::string& sentence) const {
   std::vector<std::string> in_signature, meanings;
-  for (const auto& [name, key, bare_unit, is_own] : list_) {
+  for (const auto& [name, of, bare_unit, is_own] : list_) {
+    const auto [key, word] = KeyAndWord(of);
     const Record& record = recipe::record_at(keys_, key);
+    if (!word.empty()) {
+      in_signature.push_back(fmt::format("{}: bool = False", name));
+      meanings.push_back(fmt::format("`{}`: {}.", name, recipe::help_of(record, word)));
+      continue;
+    }
     if (!is_own) in_signature.push_back(with_default(name, record));
     meanings.push_back(fmt::format("`{}`: {}.", name, recipe::help_of(record)));
     if (*bare_unit != '\0') meanings.back() += fmt::format(" A number is in {}.", bare_unit);

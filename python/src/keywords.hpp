@@ -11,7 +11,7 @@ namespace arenite::python {
 
 namespace py = pybind11;
 
-/// A keyword and the key that it is.
+/// A keyword and the key that it is, or with "key=word" the word of a choice that true stands for.
 struct Keyword {
   const char *name, *key;
   const char* bare_unit = "";  ///< of a number without unit; that of SI unless given

@@ -231,7 +231,14 @@ class Scheduler {
 
 }  // namespace
 
-std::size_t every_core() { return std::max(1u, std::thread::hardware_concurrency()); }
+std::size_t Jobs::at_once() const {
+  return jobs ? static_cast<std::size_t>(*jobs) : std::max(1u, std::thread::hardware_concurrency());
+}
+
+void declare(ParameterVisitor& v, Jobs& of) {
+  v.integer({"jobs", "Concurrent runs, each in its own process; unless given, as many as there are cores."}, of.jobs,
+            {1, 4096});
+}
 
 StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) {
   for (const std::string& sentence : study.notices) options.notice(sentence);

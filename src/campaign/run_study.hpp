@@ -2,6 +2,7 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "campaign/study_folder.hpp"
+#include "core/parameters.hpp"
 #include "core/thread_count.hpp"
 #include "model/film_result.hpp"
 #include "workflow/checkpoints.hpp"
@@ -23,11 +25,15 @@ struct StudyProgress {
       std::numeric_limits<double>::quiet_NaN();  ///< by what stages of the same name cost; nan: not known yet
 };
 
-/// Runs at once that a machine has cores for.
-std::size_t every_core();
+/// Runs at once, one process each: unless given, as many as the machine has cores for.
+struct Jobs {
+  std::optional<std::int64_t> jobs;
+  std::size_t at_once() const;
+};
+void declare(ParameterVisitor& visitor, Jobs& of);
 
 struct StudyOptions {
-  std::size_t jobs = every_core();    ///< runs at once, one process each
+  std::size_t jobs = Jobs{}.at_once();
   int threads = Threads{}.threads;    ///< in each of them
   std::size_t shard = 0, shards = 1;  ///< this process does one of `shards` equal parts of the runs
   bool retry = false;                 ///< runs that failed or found no equilibrium are done again

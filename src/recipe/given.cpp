@@ -64,6 +64,13 @@ std::string help_of(const Record& record) {
   return more.empty() ? text : fmt::format("{} ({})", text, list_of(more, "; "));
 }
 
+std::string help_of(const Record& record, std::string_view word) {
+  const std::string_view sentence = record.key.sentence.substr(0, record.key.sentence.size() - 1);
+  if (record.type == Record::Type::flag) return fmt::format("Off: {}", sentence);
+  const auto choice = std::ranges::find(record.choices, word, [](const auto& each) { return each.word.word; });
+  return fmt::format("{}: {}", sentence, choice->sentence);
+}
+
 namespace {
 
 /// A number takes the unit that stands behind the last.

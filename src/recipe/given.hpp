@@ -32,6 +32,8 @@ std::string left_aside(std::string_view key, std::string_view condition);
 
 /// What help says of a key: its sentence, default and allowed values.
 std::string help_of(const Record& record);
+/// The same of what stands for one word of a choice, or for "false" of what is on or off.
+std::string help_of(const Record& record, std::string_view word);
 
 /// A text, as it is typed, as a value of that key: lists have commas between their items, or "+-" between a value and
 /// its error, "27.35 +- 0.40 kN/mm".

@@ -60,6 +60,16 @@ def test_a_nearest_bin_is_off_where_least_squares_is_not():
     assert np.abs(fitted.amplitude / amplitude - 1).max() < np.abs(plain.amplitude / amplitude - 1).max()
 
 
+def test_keywords_of_a_lock_in_are_those_of_its_recipe():
+    film, _ = oscillating()
+    as_given = arenite.lock_in(film, 3.0, frame_rate=148.0, refine=False, peak_to_peak=False, nearest_bin=False)
+    assert as_given.frequency == 3.0 and not as_given.peak_to_peak
+    assert arenite.lock_in(film, 3.0, frame_rate=148.0).frequency == pytest.approx(3.02, abs=1e-5)
+    for wrong in ({"peak_to_peak": "yes"}, {"nearest_bin": 1}, {"refine": "no"}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            arenite.lock_in(film, 3.02, frame_rate=148.0, **wrong)
+
+
 def test_grains_of_a_picture():
     y, x = np.mgrid[0:80, 0:100]
     picture = np.full((80, 100), 20.0)

@@ -103,7 +103,7 @@ keywords = {
     "lock_in": (
         film_recipe,
         {"frequency": "lockin.frequency", "drift_order": "lockin.drift", "harmonics": "lockin.harmonics"}
-        | {"reference_phase": "lockin.phase"}
+        | {"reference_phase": "lockin.phase", "nearest_bin": "lockin.method"}
         | film_keys,
     ),
     "step_load": (film_recipe, film_keys),
@@ -169,6 +169,8 @@ without_recipe = {
 }
 
 
+without_recipe["study"] = (["run_study"], same_keywords("jobs"))
+without_recipe["verify"] = (["run_study"], same_keywords("jobs"))
 without_recipe["camera"] = (["camera"], same_keywords("format"))
 without_recipe["figures"] = (["figures.save_all"], same_keywords("width") | {"--format": "formats", "--only": "names"})
 without_recipe["animate"] = (

@@ -77,8 +77,7 @@ void ContactParameters::declare(Visitor& v) {
   v.number({"surface_energy", "gamma of the adhesion."}, surface_energy, "kN/mm", range::not_negative);
   v.require(!adheres() || surface_energy > 0, {"surface_energy", "adhesion"},
             "must be above 0 kN/mm where adhesion acts");
-  v.choice({"effective_radius", "r_eff of the adhesion."}, effective_radius,
-           {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
+  v.choice({"effective_radius", "r_eff of the adhesion."}, effective_radius, elasticity::words(effective_radius));
   v.choice({"friction_cap", "Coulomb limit in the presence of adhesion."}, friction_cap,
            {{"raised_by_adhesion", "mu (F_n + |F_c|)"}, {"as_printed", "mu (F_n - |F_c|)"}});
   v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."},

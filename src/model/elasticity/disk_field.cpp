@@ -106,4 +106,8 @@ double square_mean(const Disk& disk, Vec2 centre, double side) {
   return (-2 * sum + side * side * inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length) / (side * side);
 }
 
+std::vector<Word> words(EffectiveRadius) {
+  return {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}};
+}
+
 }  // namespace arenite::elasticity

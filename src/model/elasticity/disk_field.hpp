@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "core/vec.hpp"
 
 namespace arenite::elasticity {
@@ -41,7 +42,9 @@ double square_mean(const Disk& disk, Vec2 centre, double side);
 /// pulled apart, do not tell the three forms apart.
 enum class EffectiveRadius { four_reduced, sum, geometric_mean };
 
-/// 4 r_i r_j/(r_i + r_j), r_i + r_j or 2 sqrt(r_i r_j), m; each is 2 r for equal radii r.
+std::vector<Word> words(EffectiveRadius);
+
+/// As its words say, m; each is 2 r for equal radii r.
 inline double effective_radius(EffectiveRadius kind, double radius_i, double radius_j) {
   switch (kind) {
     case EffectiveRadius::sum: return radius_i + radius_j;

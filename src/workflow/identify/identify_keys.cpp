@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "model/lockin_maps.hpp"
 
 namespace arenite::workflow {
@@ -82,10 +85,10 @@ void declare(Visitor& v, AdhesionRequest& request) {
             "mm", range::positive);
   v.require(radii.size() <= 2, {"radii"}, "must be one radius, or two");
   if (!radii.empty()) request.radii = {radii.front(), radii.back()};
-  v.choice(
-      {"effective_radius", "Effective radius of unequal radii: 4 r_i r_j/(r_i + r_j), r_i + r_j or 2 sqrt(r_i r_j)."},
-      request.effective_radius,
-      {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
+  const auto forms = elasticity::words(request.effective_radius);
+  static const std::string sentence =
+      "Effective radius of unequal radii: " + list_of(mapped(forms, &Word::sentence), ", ") + ".";
+  v.choice({"effective_radius", sentence}, request.effective_radius, forms);
 }
 
 void declare(Visitor& v, FactorRequest& request) {
