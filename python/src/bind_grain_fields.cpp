@@ -53,9 +53,9 @@ py::array_t<double> tensors(const std::vector<Tensor2>& values, Shape shape) {
   return taken_over(std::move(flat), std::move(shape));
 }
 
-py::array_t<double> tensors(const std::vector<fields::Tensor<3>>& values, Shape shape) {
+py::array_t<double> tensors(const std::vector<Tensor3>& values, Shape shape) {
   std::vector<double> flat;
-  for (const fields::Tensor<3>& t : values)
+  for (const Tensor3& t : values)
     for (const auto& row : t.at) flat.insert(flat.end(), std::begin(row), std::end(row));
   shape.insert(shape.end(), {3, 3});
   return taken_over(std::move(flat), std::move(shape));

@@ -43,8 +43,8 @@ void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Te
   out["coordination"] = block.add_indices(texture::values_of(packing, "coordination"));
   const Grains& grains = packing.grains;
   add_columns(out, grains, io::grain_state_columns, {"x", "y", "angle"}, block);
-  out["pressure"] = block.add_reals(mapped(stresses, texture::pressure), "Pa");
-  out["deviator"] = block.add_coarse(mapped(stresses, texture::deviator), "Pa");
+  out["pressure"] = block.add_reals(mapped(stresses, [](const Tensor2& s) { return texture::pressure(s); }), "Pa");
+  out["deviator"] = block.add_coarse(mapped(stresses, [](const Tensor2& s) { return texture::deviator(s); }), "Pa");
   const auto add_motion = [&](std::initializer_list<std::string_view> names) {
     add_columns(out, grains, io::grain_state_columns, names, block, &NumberBlock::add_coarse);
   };

@@ -120,7 +120,7 @@ Numbers add_quantities(Numbers& out, const PackingIn<3>& packing, const Asked& a
   };
   if (has_forces) {
     add("pressure", coarse);
-    add_values("stress", texture::stresses_over_mean(packing, texture::sphere_options(asked)), coarse);
+    add_values("stress", texture::grain_rows(packing, texture::sphere_options(asked)).per_grain.sigma_norm, coarse);
   }
   if (packing.contacts.size() > 0)
     add("coordination", [&](const std::vector<double>& counts, auto&&) { return block.add_indices(counts); });

@@ -7,10 +7,10 @@
 #include <initializer_list>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/fields/coarse_grained.hpp"
-#include "grains/texture/spheres/sphere_view.hpp"
-#include "grains/texture/spheres/tensor3.hpp"
+#include "grains/texture/partners.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "solid/stress/grains.hpp"
@@ -33,7 +33,7 @@ void add_components(std::vector<io::GrainField>& fields, const std::vector<Tenso
 
 /// As VTK has a symmetric tensor: xx, yy, zz, xy, yz, xz.
 std::array<double, 6> components_of(const Tensor2& t) { return {t.xx, t.yy, 0, 0.5 * (t.xy + t.yx), 0, 0}; }
-std::array<double, 6> components_of(const texture::spheres::Tensor3& t) {
+std::array<double, 6> components_of(const Tensor3& t) {
   const auto mean = [&](int a, int b) { return 0.5 * (t.at[a][b] + t.at[b][a]); };
   return {t.at[0][0], t.at[1][1], t.at[2][2], mean(0, 1), mean(1, 2), mean(0, 2)};
 }
@@ -85,8 +85,9 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
 }
 
 std::vector<io::GrainField> derived_fields(const PackingIn<3>& packing) {
-  return {{"contacts", "1", as_doubles(texture::spheres::contacts_with_spheres(packing))},
-          {"sigma_hyd", "Pa", texture::spheres::hydrostatic_stresses(packing)}};
+  return {{"contacts", "1", as_doubles(texture::Partners(packing).of_each())},
+          {"sigma_hyd", "Pa",
+           mapped(texture::grain_stresses(packing), [](const Tensor3& s) { return mean_principal(s); })}};
 }
 
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {

@@ -11,16 +11,13 @@
 #include "core/problems.hpp"
 #include "geometry/ball.hpp"
 #include "geometry/cell_grid.hpp"
-#include "grains/texture/spheres/sphere_view.hpp"
+#include "model/joints.hpp"
 #include "model/periodic_images.hpp"
 
 namespace arenite::fields {
 namespace {
 
-using arenite::outer;
 using statistics::unknown;
-using texture::spheres::outer;
-using texture::spheres::Tensor3;
 
 /// What masses and forces are counted by: disks by their length.
 double length_through(const Domain& domain) { return domain.thickness; }
@@ -167,23 +164,13 @@ void add_bearing(const Container<D>& domain, const KernelIn<D>& kernel, Vec<D> s
   });
 }
 
-/// Calls see(i, j, force on i, way from j to i) for what joins two disks beside their contact: bonds, and pulls across
-/// gaps.
-template <class See> void each_joint(const Packing& packing, const See& see) {
-  const auto link = [&](const auto& of) { see(of.i, of.j, force_on_i(packing, of), branch_of(packing, of)); };
-  for (const Bond& bond : packing.bonds) link(bond);
-  for (const CohesivePair& pair : packing.cohesive)
-    if (acts_across_gap(pair)) link(pair);
-}
-using texture::spheres::each_joint;
-
 template <int D> void add_contacts(const PackingIn<D>& packing, const KernelIn<D>& kernel, CoarseFieldsIn<D>& fields) {
   const ContactsIn<D>& contacts = packing.contacts;
   const double length = length_through(packing.domain);
   for (std::size_t c = 0; c < contacts.size(); ++c)
     add_bearing<D>(packing.domain, kernel, packing.grains.position[contacts.i[c]], contacts.branch(c),
                    contacts.force_on_i(c) / length, contacts.is_wall(c), fields);
-  each_joint(packing, [&](std::size_t i, std::size_t, const auto& force, const auto& way) {
+  for_each_joint(packing, [&](std::size_t i, std::size_t, Vec<D> force, Vec<D> way) {
     add_bearing<D>(packing.domain, kernel, packing.grains.position[i], -way, force / length, false, fields);
   });
 }

@@ -6,18 +6,15 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "core/tensor.hpp"
 #include "core/vec.hpp"
 #include "grains/fields/coarse/grid.hpp"
 #include "grains/fields/coarse/kernel.hpp"
-#include "grains/texture/spheres/tensor3.hpp"
 #include "model/domain.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 
 namespace arenite::fields {
-
-/// A tensor of the plane or of space.
-template <int D> using Tensor = std::conditional_t<D == 2, Tensor2, texture::spheres::Tensor3>;
 
 /// Cells over the whole box, as square as whole numbers allow and no wider than `spacing`, m. Throws InputError for a
 /// spacing that is none, and for more points than memory is for: `most_points` of the plane and of space.

@@ -7,7 +7,6 @@
 
 #include "core/formula.hpp"
 #include "core/mapped.hpp"
-#include "grains/texture/spheres/tensor3.hpp"
 #include "grains/texture/stress.hpp"
 
 namespace arenite::fields {
@@ -15,9 +14,6 @@ namespace {
 
 using texture::deviator;
 using texture::pressure;
-using texture::spheres::deviator;
-using texture::spheres::pressure;
-using texture::spheres::Tensor3;
 
 using Values = std::vector<double>;
 

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <set>
@@ -11,12 +13,12 @@ namespace arenite::texture {
 namespace {
 
 /// Mean over the considered grains of material m (any material for m < 0) of a value of each.
-template <class Value> Estimate grain_mean(const View& view, int m, Value value) {
+template <int D, class Value> Estimate grain_mean(const ViewIn<D>& view, int m, Value value) {
   return mean(m < 0 ? view.grains : view.grains_of(m), view.grain_block, value);
 }
 
 /// Mean number of other grains that a grain touches, in however many contacts.
-Estimate neighbours(const View& view) {
+template <int D> Estimate neighbours(const ViewIn<D>& view) {
   const auto& contacts = view.pairs();
   std::vector<std::set<std::int32_t>> touched(view.packing.grains.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -31,7 +33,7 @@ constexpr const char* mean_number = "Mean number of contacts per grain, of the n
 
 /// Of every material with every other one: neighbours of the second a grain of the first, and "POM-ANY" = (2 N_XX +
 /// N_XY)/N_X.
-void put_by_material(Numbers& j, const View& view, const Partners& partners) {
+template <int D> void put_by_material(Numbers& j, const ViewIn<D>& view, const Partners& partners) {
   const std::vector<int> materials = view.materials();
   ByName<Estimate> doubled, parts, share;
   const auto all = [&](std::size_t g) { return partners.all(g); };
@@ -57,7 +59,9 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
       share.emplace_back(name, ratio_of_sums(view, ends, all));
     }
   put(j, "rattlers", grain_mean(view, -1, [&](std::size_t g) { return view.rattler[g] ? 1.0 : 0.0; }), "",
-      "Fraction of grains with fewer than two force-bearing contacts", Trait::by_forces);
+      fmt::format("Fraction of grains with fewer than {} force-bearing contacts", view.options.rattler_contacts)
+          .c_str(),
+      Trait::by_forces);
   put(j, "unlike_contacts_twice", doubled, "", "2 (N_XX + N_XY)/N_X (T 4.3.1)", Trait::detail);
   put(j, "parts_of_z", parts, "", "2 N_AB over all grains (T 5.3.1); the parts add up to z", Trait::detail);
   put(j, "share_of_contacts", share, "", "N_AB over all contacts", Trait::detail);
@@ -68,11 +72,10 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
 /// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a
 /// sample without border is 2 N_c/N_p; contacts with walls are not counted. Of grains that are no disks "all,
 /// neighbours" as well, which counts two grains that meet in several contacts once.
-void coordination(const View& view, Texture& texture) {
+template <int D> void coordination(const ViewIn<D>& view, TextureIn<D>& texture) {
   const Partners partners(view.packing, view.rattler);
   Numbers& j = texture.numbers["coordination"] = Numbers::tree();
-  for (std::size_t g = 0; g < view.packing.grains.size(); ++g)
-    texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
+  texture.per_grain.contacts = partners.of_each();
   if (!view.grains.empty()) {
     put(j, "all", grain_mean(view, -1, [&](std::size_t g) { return partners.all(g); }), "", mean_number);
     put(j, "without_rattlers", mean_without_rattlers(view, partners), "", mean_number, Trait::by_forces);
@@ -82,5 +85,7 @@ void coordination(const View& view, Texture& texture) {
   put(j, "histogram", partners.histogram(view.grains), "", "Fraction of grains with 0, 1, 2, .. contacts",
       Trait::detail);
 }
+template void coordination(const View&, Texture&);
+template void coordination(const SphereView&, TextureIn<3>&);
 
 }  // namespace arenite::texture

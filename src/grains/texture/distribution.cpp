@@ -147,7 +147,7 @@ Numbers distribution(const Items& items, const Items& all, const std::vector<int
 }
 
 /// Of all contacts, the share that is strong and in the set.
-Estimate strong_share_of_all(const View& view, const Items& set) {
+template <int D> Estimate strong_share_of_all(const ViewIn<D>& view, const Items& set) {
   std::vector<std::uint8_t> own(view.pairs().size(), 0);
   for (const std::size_t c : set) own[c] = 1;
   const auto share = [&](const Items& contacts) {
@@ -160,7 +160,7 @@ Estimate strong_share_of_all(const View& view, const Items& set) {
 }
 
 /// Normal forces between grains, pushing and pulling ones apart (T Fig. 1.6, 1.9).
-void forces(const View& view, Texture& texture) {
+template <int D> void forces(const ViewIn<D>& view, TextureIn<D>& texture) {
   constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean normal force of the set",
                                     "Fraction of contacts above the set's own mean"};
   if (view.contacts.empty()) {
@@ -200,5 +200,7 @@ void forces(const View& view, Texture& texture) {
   }
   texture.numbers["force"] = compressive.mark(Trait::by_forces);
 }
+template void forces(const View&, Texture&);
+template void forces(const SphereView&, TextureIn<3>&);
 
 }  // namespace arenite::texture

@@ -101,7 +101,7 @@ void put_sectors(Numbers& to, const View& view, const Items& items) {
 }
 
 /// What the direction of the load follows from: what was said, or the forces.
-Trait by_axis(const View& view) { return view.options.load_axis ? Trait::none : Trait::by_forces; }
+Trait by_axis(const View& view) { return view.axis_is_given ? Trait::none : Trait::by_forces; }
 
 /// Directions of one set of contacts, mirrored beyond half a turn. Directions in degrees from x, in [0, 180).
 Numbers fabric_of(const View& view, const Items& items) {

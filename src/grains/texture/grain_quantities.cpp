@@ -9,9 +9,6 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "geometry/ball.hpp"
-#include "grains/texture/spheres/sphere_view.hpp"
-#include "grains/texture/spheres/spheres.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/matching.hpp"
@@ -36,24 +33,17 @@ template <int D> Values contact_numbers(const PackingIn<D>& packing) {
   return numbers;
 }
 
-Values pressures(const Packing& packing) { return mapped(grain_stresses(packing), pressure); }
-
-Values pressures(const PackingIn<3>& packing) {
-  return mapped(spheres::hydrostatic_stresses(packing), [](double stress) { return -stress; });
+template <int D> Values pressures(const PackingIn<D>& packing) {
+  return mapped(grain_stresses(packing), [](const Tensor<D>& stress) { return pressure(stress); });
 }
-
-Values deviators(const Packing& packing) { return mapped(grain_stresses(packing), deviator); }
-
-Values deviators(const PackingIn<3>& packing) {
-  Values all;
-  for (const spheres::Tensor3& moment : spheres::sphere_moments(packing))
-    all.push_back(spheres::deviator(moment) / geometry::volume_of_ball<3>(packing.grains.radius[all.size()]));
-  return all;
+template <int D> Values deviators(const PackingIn<D>& packing) {
+  return mapped(grain_stresses(packing), [](const Tensor<D>& stress) { return deviator(stress); });
 }
 
 /// Over their mean away from the border, as a stage is measured that was asked for nothing else.
-Values normalised_stresses(const Packing& packing) { return grain_rows(packing).per_grain.sigma_norm; }
-Values normalised_stresses(const PackingIn<3>& packing) { return stresses_over_mean(packing, {}); }
+template <int D> Values normalised_stresses(const PackingIn<D>& packing) {
+  return grain_rows(packing).per_grain.sigma_norm;
+}
 
 double length_of(double v) { return std::abs(v); }
 double length_of(Vec3 v) { return norm(v); }
@@ -130,9 +120,16 @@ const std::vector<GrainQuantity>& grain_quantities() {
       {"z", "Position along z", "z", "m", even, nullptr, {}, places<3, 2>},
       {"size", "Diameter", "d", "m", even, diameters<2>, {}, diameters<3>, true},
       {"coordination", "Contacts per grain", "z", "", even, contact_numbers<2>, {}, contact_numbers<3>, true},
-      {"pressure", "Pressure of grains", "p", "Pa", stress, pressures, {}, pressures},
-      {"deviator", "Deviator of grains", "q", "Pa", stress, deviators, {}, deviators, true},
-      {"stress", "Stress over its mean", "\u03c3_{norm}", "", stress, normalised_stresses, {}, normalised_stresses},
+      {"pressure", "Pressure of grains", "p", "Pa", stress, pressures<2>, {}, pressures<3>},
+      {"deviator", "Deviator of grains", "q", "Pa", stress, deviators<2>, {}, deviators<3>, true},
+      {"stress",
+       "Stress over its mean",
+       "\u03c3_{norm}",
+       "",
+       stress,
+       normalised_stresses<2>,
+       {},
+       normalised_stresses<3>},
       {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", even, ratios_of_forces<2>, {}, ratios_of_forces<3>, true},
       {.name = "mobilisation",
        .label = "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})",

@@ -9,10 +9,12 @@
 
 namespace arenite::texture {
 
-/// Contacts with other grains of every disk or sphere, by the partner's material.
+/// Contacts with other grains of every disk or sphere, by the partner's material. Where `rattler` is empty there is
+/// none.
 struct Partners {
   template <int D>
-  Partners(const PackingIn<D>& packing, const std::vector<std::uint8_t>& rattler) : kinds(packing.materials.size()) {
+  explicit Partners(const PackingIn<D>& packing, const std::vector<std::uint8_t>& rattler = {})
+      : kinds(packing.materials.size()) {
     const auto material = [&](std::size_t grain) { return static_cast<std::size_t>(packing.grains.material[grain]); };
     for (std::size_t g = 0; g < packing.grains.size(); ++g) kinds = std::max(kinds, material(g) + 1);
     count.assign(packing.grains.size() * kinds, 0);
@@ -23,7 +25,7 @@ struct Partners {
       const auto i = static_cast<std::size_t>(contacts.i[c]), j = static_cast<std::size_t>(contacts.j[c]);
       ++count[i * kinds + material(j)];
       ++count[j * kinds + material(i)];
-      if (rattler[i] || rattler[j]) continue;
+      if (!rattler.empty() && (rattler[i] || rattler[j])) continue;
       ++bearing[i];
       ++bearing[j];
     }
@@ -33,6 +35,11 @@ struct Partners {
     double sum = 0;
     for (std::size_t m = 0; m < kinds; ++m) sum += count[grain * kinds + m];
     return sum;
+  }
+  std::vector<std::int32_t> of_each() const {
+    std::vector<std::int32_t> each;
+    for (std::size_t g = 0; g < bearing.size(); ++g) each.push_back(static_cast<std::int32_t>(all(g)));
+    return each;
   }
   /// Share of some grains that have 0, 1, 2, .. contacts.
   std::vector<double> histogram(const statistics::Items& grains) const {
@@ -50,7 +57,7 @@ struct Partners {
   std::vector<int> bearing;  ///< contacts that remain without rattlers
 };
 
-/// Ratio of two sums over the considered grains of a view of disks or spheres.
+/// Ratio of two sums over the considered grains.
 template <class AnyView, class Top, class Under>
 statistics::Estimate ratio_of_sums(const AnyView& view, Top top, Under under) {
   const auto add = [&](std::size_t g, double* sums) {

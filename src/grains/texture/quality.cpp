@@ -2,43 +2,42 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "grains/texture/view.hpp"
+#include "model/joints.hpp"
 
 namespace arenite::texture {
 namespace {
 
-/// Median |sum F| over grains with at least three contacts or bonds, walls and weight included.
-double median_resultant(const View& view) {
+/// Contacts and bonds that can hold a grain: one more than there are axes.
+template <int D> constexpr int contacts_that_hold = D + 1;
+
+/// Median |sum F| over grains with at least so many contacts or bonds, walls and weight included.
+template <int D> double median_resultant(const ViewIn<D>& view) {
   const auto& contacts = view.pairs();
-  std::vector<Vec2> sum(view.packing.grains.size());
+  std::vector<Vec<D>> sum(view.packing.grains.size());
   std::vector<int> count(sum.size(), 0);
-  const auto push = [&](std::int32_t grain, Vec2 force) {
+  const auto push = [&](std::size_t grain, Vec<D> force) {
     sum[grain] += force;
     ++count[grain];
   };
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Vec2 f = contacts.force_on_i(c);
-    push(contacts.i[c], f);
-    if (!contacts.is_wall(c)) push(contacts.j[c], -f);
+    const Vec<D> f = contacts.force_on_i(c);
+    push(static_cast<std::size_t>(contacts.i[c]), f);
+    if (!contacts.is_wall(c)) push(static_cast<std::size_t>(contacts.j[c]), -f);
   }
-  const auto push_both = [&](const auto& link) {
-    const Vec2 f = force_on_i(view.packing, link);
-    push(link.i, f);
-    push(link.j, -f);
-  };
-  for (const Bond& bond : view.packing.bonds)
-    if (bond.broken == BondBreak::none) push_both(bond);
-  for (const CohesivePair& pair : view.packing.cohesive)
-    if (acts_across_gap(pair)) push_both(pair);
-  const Vec2 gravity = view.options.gravity;
-  if (gravity.x != 0 || gravity.y != 0)
+  for_each_joint(view.packing, [&](std::size_t i, std::size_t j, Vec<D> f, Vec<D> /*branch*/) {
+    push(i, f);
+    push(j, -f);
+  });
+  if (const Vec<D> gravity = view.options.gravity; gravity != Vec<D>{})
     for (std::size_t g = 0; g < sum.size(); ++g) sum[g] += mass_of(view.packing, g) * gravity;
   std::vector<double> resultants;
   for (const std::size_t g : view.grains)
-    if (count[g] >= 3) resultants.push_back(norm(sum[g]));
+    if (count[g] >= contacts_that_hold<D>) resultants.push_back(norm(sum[g]));
   if (resultants.empty()) return unknown;
   const std::size_t n = resultants.size();
   std::sort(resultants.begin(), resultants.end());
@@ -51,24 +50,29 @@ constexpr const char* reasons[] = {
     "this is due to the adhesion of glued grains",
     "this is due to the damping of opening contacts (contact.attractive_dashpot = true)"};
 
-/// Largest |F_t|/F_n of compressive contacts, and the share of contacts that come within 0.001 of it.
-void put_friction(Numbers& to, const View& view) {
+double size_of(double tangential) { return std::abs(tangential); }
+double size_of(Vec3 tangential) { return norm(tangential); }
+
+/// Largest and mean |F_t|/F_n of compressive contacts, and the share of contacts that come within 0.001 of the largest.
+template <int D> void put_friction(Numbers& to, const ViewIn<D>& view) {
   std::vector<double> ratios;
   for (const std::size_t c : view.contacts)
-    if (view.pairs().fn[c] > 0) ratios.push_back(std::abs(view.pairs().ft[c]) / view.pairs().fn[c]);
+    if (view.pairs().fn[c] > 0) ratios.push_back(size_of(view.pairs().ft[c]) / view.pairs().fn[c]);
   if (ratios.empty()) return;
-  const double largest = *std::max_element(ratios.begin(), ratios.end());
+  const double largest = *std::max_element(ratios.begin(), ratios.end()), count = static_cast<double>(ratios.size());
   const auto sliding =
       std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r > 0 && r >= (1 - 1e-3) * largest; });
   put(to, "friction_ratio_max", largest, "", "Largest |F_t|/F_n of compressive contacts", Trait::by_forces);
-  put(to, "sliding_share", static_cast<double>(sliding) / static_cast<double>(ratios.size()), "",
+  put(to, "friction_ratio_mean", std::accumulate(ratios.begin(), ratios.end(), 0.0) / count, "",
+      "Mean |F_t|/F_n of compressive contacts", Trait::detail | Trait::by_forces);
+  put(to, "sliding_share", static_cast<double>(sliding) / count, "",
       "Fraction of contacts within 0.001 of the largest |F_t|/F_n", Trait::by_forces);
 }
 
 }  // namespace
 
 /// What tells measured networks from packings at rest: reported, never repaired.
-void quality(const View& view, Texture& texture) {
+template <int D> void quality(const ViewIn<D>& view, TextureIn<D>& texture) {
   const std::vector<double>& force = view.pairs().fn;
   const std::size_t contacts = view.contacts.size();
   const auto negative = static_cast<std::size_t>(
@@ -79,7 +83,9 @@ void quality(const View& view, Texture& texture) {
   put(j, "negative_forces", negative, "", "Contacts with negative normal force", Trait::detail | Trait::by_forces);
   put(j, "negative_share", contacts > 0 ? static_cast<double>(negative) / static_cast<double>(contacts) : 0.0, "",
       "Fraction of contacts with negative normal force", Trait::detail | Trait::by_forces);
-  put(j, "median_imbalance", imbalance, "", "Median |sum F| of grains with at least 3 contacts over the mean force",
+  put(j, "median_imbalance", imbalance, "",
+      fmt::format("Median |sum F| of grains with at least {} contacts over the mean force", contacts_that_hold<D>)
+          .c_str(),
       Trait::by_forces);
   put_friction(j, view);
   if (negative > 0)
@@ -97,5 +103,7 @@ void quality(const View& view, Texture& texture) {
                     "on the reference point of moments.",
                     imbalance));
 }
+template void quality(const View&, Texture&);
+template void quality(const SphereView&, TextureIn<3>&);
 
 }  // namespace arenite::texture

@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/problems.hpp"
-#include "geometry/rectangle.hpp"
 #include "grains/texture/blocks.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/periodic_images.hpp"
@@ -28,46 +27,51 @@ using statistics::put_angle;
 using statistics::standard_error;
 using statistics::whole_turn;
 
-/// Name of a material, or "material 3" where it has none.
-std::string name_of_material(const Materials& materials, int m);
+/// Direction of a load without a sense: rad from x, in space a vector.
+template <int D> using Axis = std::conditional_t<D == 2, double, Vec3>;
 
-/// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts
-/// with walls count for stress and balance, never for coordination, fabric or force statistics.
-struct View {
-  View(const Packing& packing, const Options& options);
+/// What the statistics of disks and of spheres share: which grains and contacts count, in which block each lies, and
+/// the mean force. Contacts with walls count for stress and balance, never for coordination, fabric or force
+/// statistics.
+template <int D> struct ViewIn {
+  ViewIn(const PackingIn<D>& packing, const OptionsIn<D>& options);
 
-  const Packing& packing;
-  const Options& options;
+  const PackingIn<D>& packing;
+  const OptionsIn<D>& options;
   bool has_box = false, has_thickness = false;
+  bool has_forces = false;  ///< some contact has one; else nobody knows them
   double mean_diameter = 0;
-  Window window;
+  WindowIn<D> window;
   Items grains;                                 ///< considered: centre in the window
   Items contacts;                               ///< considered: between grains, contact point in the window
   std::vector<std::uint8_t> considered;         ///< by grain
   std::vector<std::uint8_t> rattler;            ///< by grain
-  BlockGrid blocks;                             ///< over the window
+  BlockGridIn<D> blocks;                        ///< over the window
   std::vector<int> grain_block, contact_block;  ///< by grain, by contact
   double mean_force = 0;                        ///< of considered contacts that push, N; 0 if none does
-  double load_axis = 0;                         ///< rad
+  bool axis_is_given = false;                   ///< by the options; else it is that of greatest compression
+  Axis<D> load_axis{};                          ///< in space 0 where nothing tells it
 
   /// Scatter of the pressure of a sample in motion over its mean in time, which all mean forces and stresses share; 0
   /// at rest.
   double level() const { return options.in_time ? options.in_time->pressure : 0; }
-  const Contacts& pairs() const { return packing.contacts; }
-  Vec2 contact_point(std::size_t c) const;  ///< in the periodic cell
+  const ContactsIn<D>& pairs() const { return packing.contacts; }
+  Vec<D> contact_point(std::size_t c) const;  ///< in the periodic cell
   bool strong(std::size_t c) const { return pairs().fn[c] > mean_force; }
   int material(std::size_t grain) const { return packing.grains.material[grain]; }
-  std::string material_name(int m) const { return name_of_material(packing.materials, m); }
-  std::vector<int> materials() const;  ///< those of considered grains, in rising order
-  Items grains_of(int m) const;        ///< considered ones of material m
+  std::string material_name(int m) const;  ///< or "material 3" where it has none
+  std::vector<int> materials() const;      ///< those of considered grains, in rising order
+  Items grains_of(int m) const;            ///< considered ones of material m
 };
+using View = ViewIn<2>;
+using SphereView = ViewIn<3>;
 
 /// Named sets of considered contacts by material pair ("POM-HDPE", in the order of materials) and, where there are
 /// zones, by zone pair ("dry-glued"); sets without contacts are left out.
-ByName<Items> contacts_by_type(const View& view);
+template <int D> ByName<Items> contacts_by_type(const ViewIn<D>& view);
 
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
-ByName<Items> grains_by_type(const View& view);
+template <int D> ByName<Items> grains_by_type(const ViewIn<D>& view);
 
 /// Refuses a grain wider than a periodic cell: it covers itself, and the cell as often as it pleases.
 template <int D> void check_widths(const PackingIn<D>& packing) {
@@ -111,9 +115,10 @@ inline Numbers& place_of(const std::string& set, Numbers& to, const char* group)
   return set == "all" ? to : to[group][set];
 }
 
-/// A statistic, one file each; the list is in measure.cpp. It puts its numbers among Texture::numbers, each with its
+/// A statistic, one file each; the list is in texture.cpp. It puts its numbers among Texture::numbers, each with its
 /// unit and what it is. What it cannot compute it leaves out, with a note that says why.
-using Statistic = void(const View& view, Texture& texture);
+template <int D> using StatisticIn = void(const ViewIn<D>& view, TextureIn<D>& texture);
+using Statistic = StatisticIn<2>;
 Statistic rev;  ///< by itself, too
 
 }  // namespace arenite::texture

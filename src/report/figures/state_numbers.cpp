@@ -1,7 +1,8 @@
 #include "report/figures/state_numbers.hpp"
 
 #include "grains/fields/stage_numbers.hpp"
-#include "grains/texture/spheres/sphere_view.hpp"
+#include "grains/texture/spheres/spheres.hpp"
+#include "grains/texture/view.hpp"
 #include "report/figures/drawing.hpp"
 #include "thermal/inference/film_fit.hpp"
 
@@ -46,7 +47,7 @@ texture::ForceScale force_scale(const SphereResult& stage, const SnapshotIn<3>& 
   const double known = &state == &stage.snapshots.back() ? estimate_at(stage.texture, "/force/mean_N").value : 0;
   if (known > 0) return texture::force_scale(state.packing.contacts, known);
   const texture::SphereOptions options = texture::sphere_options(stage.asked);
-  return texture::force_scale(state.packing.contacts, texture::spheres::SphereView(state.packing, options).mean_force);
+  return texture::force_scale(state.packing.contacts, texture::SphereView(state.packing, options).mean_force);
 }
 
 }  // namespace arenite::report::figures

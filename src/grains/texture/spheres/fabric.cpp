@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "grains/texture/spheres/hemisphere.hpp"
-#include "grains/texture/spheres/sphere_view.hpp"
+#include "grains/texture/spheres/spheres.hpp"
+#include "grains/texture/spheres/tensor3.hpp"
+#include "grains/texture/view.hpp"
 
 namespace arenite::texture::spheres {
-
-using statistics::Estimate;
-using statistics::Items;
-using statistics::put;
 
 namespace {
 
@@ -161,18 +159,16 @@ void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
 
 }  // namespace
 
-SphereStatistic sphere_fabric;
-
 /// Of all contacts, and apart of those above and below the mean force.
-void sphere_fabric(const SphereView& view, Numbers& to) {
+void fabric(const SphereView& view, TextureIn<3>& texture) {
   if (view.contacts.empty()) return;
-  Numbers& j = to["fabric"] = Numbers::tree();
+  Numbers& j = texture.numbers["fabric"] = Numbers::tree();
   if (view.axis_is_given)
     put(j, "load_direction", direction(view.load_axis), "", "Direction of the load: x, y, z of a unit vector",
         Trait::detail);
   put_fabric(j, view, view.contacts);
   Items strong, weak;
-  for (const std::size_t c : view.contacts) (view.pairs().fn[c] > view.mean_force ? strong : weak).push_back(c);
+  for (const std::size_t c : view.contacts) (view.strong(c) ? strong : weak).push_back(c);
   for (const auto& [name, items] : {std::pair{"strong", strong}, std::pair{"weak", weak}}) {
     if (items.empty()) continue;
     put_fabric(j["sets"][name], view, items);

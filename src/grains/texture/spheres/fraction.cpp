@@ -3,7 +3,8 @@
 
 #include "geometry/ball_window.hpp"
 #include "grains/texture/rev.hpp"
-#include "grains/texture/spheres/sphere_view.hpp"
+#include "grains/texture/spheres/spheres.hpp"
+#include "grains/texture/view.hpp"
 
 namespace arenite::texture::spheres {
 namespace {
@@ -44,12 +45,10 @@ Rev sphere_windows(const SphereView& view, const std::vector<Ball>& balls, doubl
 
 }  // namespace
 
-SphereStatistic sphere_fraction;
-
 /// Volume of spheres cut by the window over the window's; an overlap counts in both. Error from equal blocks.
-void sphere_fraction(const SphereView& view, Numbers& to) {
+void fraction(const SphereView& view, TextureIn<3>& texture) {
   if (!view.has_box) return;
-  const BlockCube blocks{view.window, std::max(2, view.blocks.per_side)};
+  const BlockGridIn<3> blocks{view.window, std::max(2, view.blocks.per_side)};
   const double volume = view.window.size.x * view.window.size.y * view.window.size.z;
   std::vector<double> fraction(static_cast<std::size_t>(blocks.count()), 0.0);
   const std::vector<Ball> balls = balls_of(view.packing);
@@ -59,9 +58,12 @@ void sphere_fraction(const SphereView& view, Numbers& to) {
           geometry::ball_window_volume(ball.centre, ball.radius, blocks.block(b)) * blocks.count() / volume;
   double mean = 0;
   for (const double of_block : fraction) mean += of_block / static_cast<double>(blocks.count());
-  const statistics::Estimate whole{mean, statistics::standard_error(fraction)};
-  statistics::put(to, "solid_fraction", whole, "", "Solid fraction, volume of grains over volume of the sample");
-  if (view.options.rev.sizes > 0) to["rev"] = numbers_of(sphere_windows(view, balls, whole.error), "volume_share");
+  texture.solid_fraction = {mean, standard_error(fraction)};
+  put(texture.numbers, "solid_fraction", texture.solid_fraction, "",
+      "Solid fraction, volume of grains over volume of the sample");
+  if (view.options.rev.sizes == 0) return;
+  texture.rev = sphere_windows(view, balls, texture.solid_fraction.error);
+  texture.numbers["rev"] = numbers_of(texture.rev, "volume_share");
 }
 
 }  // namespace arenite::texture::spheres

@@ -3,8 +3,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include <cmath>
-
 namespace arenite::texture::spheres {
 
 Numbers rows_of(const Tensor3& tensor) {
@@ -26,11 +24,6 @@ Principal principal(const Tensor3& tensor) {
     p.direction[k] = (sign < 0 ? -1.0 : 1.0) * Vec3{n[0], n[1], n[2]};
   }
   return p;
-}
-
-double deviator(const Tensor3& tensor) {
-  const Vec3 s = principal(tensor).value;
-  return std::sqrt(0.5 * ((s.x - s.y) * (s.x - s.y) + (s.y - s.z) * (s.y - s.z) + (s.z - s.x) * (s.z - s.x)));
 }
 
 std::vector<double> solved_for_six(const double* normal, const double* right) {

@@ -21,7 +21,7 @@ Values normalised_stresses(const StageResult& stage, const Packing& packing) {
   return texture::grain_rows(packing, fields::texture_options(stage)).per_grain.sigma_norm;
 }
 Values normalised_stresses(const SphereResult& stage, const PackingIn<3>& packing) {
-  return texture::stresses_over_mean(packing, texture::sphere_options(stage.asked));
+  return texture::grain_rows(packing, texture::sphere_options(stage.asked)).per_grain.sigma_norm;
 }
 
 template <int D> bool has_forces(const PackingIn<D>& packing) {

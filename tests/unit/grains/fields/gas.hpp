@@ -86,7 +86,7 @@ inline double component(const Tensor2& t, int row, int column) {
 inline double component(const Tensor<3>& t, int row, int column) { return t.at[row][column]; }
 
 inline Tensor2 dyad(Vec2 a, Vec2 b) { return outer(a, b); }
-inline Tensor<3> dyad(Vec3 a, Vec3 b) { return texture::spheres::outer(a, b); }
+inline Tensor<3> dyad(Vec3 a, Vec3 b) { return outer(a, b); }
 
 /// One component of vectors, and of tensors.
 template <int D> std::vector<double> along(const std::vector<Vec<D>>& values, int axis) {

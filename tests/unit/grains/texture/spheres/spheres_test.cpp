@@ -200,6 +200,71 @@ TEST(Spheres, RattlersAreTakenAwayAgainAndAgain) {
   EXPECT_EQ(numbers["wall_contacts"].get<int>(), 2);
 }
 
+/// Each contact has two ends and presses with 3 N, so that every way to take the sample apart adds up to all of it.
+TEST(Spheres, PartsByMaterialAddUpToTheWhole) {
+  PackingIn<3> packing = crystal(3);
+  packing.materials = {{"glass", 2500, 1e5}, {"steel", 7800, 1e5}};
+  for (std::size_t g = 0; g < packing.grains.size(); g += 3) packing.grains.material[g] = 1;
+  ContactsIn<3>& contacts = packing.contacts;
+  std::size_t unlike = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    unlike += packing.grains.material[contacts.i[c]] != packing.grains.material[contacts.j[c]];
+  contacts.fn[0] = -1;
+  const Numbers numbers = measure_spheres(packing);
+  double parts = 0, shares = 0;
+  for (const char* pair : {"glass-glass", "glass-steel", "steel-steel"}) {
+    parts += value(numbers, (std::string("/coordination/parts_of_z/") + pair).c_str());
+    shares += value(numbers, (std::string("/coordination/share_of_contacts/") + pair).c_str());
+  }
+  EXPECT_NEAR(parts, 12, 1e-12);
+  EXPECT_NEAR(shares, 1, 1e-12);
+  const auto all = static_cast<double>(contacts.size());
+  EXPECT_NEAR(value(numbers, "/coordination/share_of_contacts/glass-steel"), static_cast<double>(unlike) / all, 1e-12);
+  EXPECT_NEAR(value(numbers, "/coordination/steel-ANY"), 12, 1e-12);
+  EXPECT_NEAR(value(numbers, "/force/tensile_share"), 1 / all, 1e-12);
+  EXPECT_NEAR(value(numbers, "/force/tensile/mean_N"), 1, 1e-12);
+  EXPECT_NEAR(value(numbers, "/force/by_type/glass-steel/mean_N"), 3, 1e-12);
+  EXPECT_EQ(value(numbers, "/quality/negative_forces"), 1);
+}
+
+/// The stress of contacts, and of a bond and a pull across a gap beside them, is that of the grains together.
+TEST(Spheres, TheStressIsTheSumOverGrains) {
+  PackingIn<3> packing = crystal(2);
+  packing.grains.radius[0] = 0.8e-3;
+  packing.contacts.fn[3] = 20;
+  packing.contacts.ft[5] = {1, -2, 0.5};
+  packing.bonds.resize(1);
+  packing.bonds[0].i = 0, packing.bonds[0].j = 1;
+  packing.bonds[0].fn = -7, packing.bonds[0].ft = {0.5, 0.2, -1};
+  packing.cohesive = {{2, 9, 1e-4, 5, 0}};
+  const Numbers numbers = measure_spheres(packing);
+  const double pressure = value(numbers, "/stress_details/pressure_Pa");
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
+      EXPECT_NEAR(numbers["stress"]["value"][a][b].get<double>(),
+                  (*numbers.at_path("/stress_details/sum_over_grains"))[a][b].get<double>(), 1e-12 * pressure);
+}
+
+/// Two spheres between walls, out of balance by 1 and 3 N, with 2 N between them.
+TEST(Spheres, TheImbalanceOfTwoIsTheirMean) {
+  PackingIn<3> packing;
+  packing.materials = {{"glass", 2500, 1e5}};
+  for (int s = 0; s < 6; ++s) packing.domain.wall[s] = {true, s % 2 == 0 ? 0 : s == right ? 4e-3 : 2e-3};
+  packing.grains.resize(2);
+  packing.grains.radius.assign(2, 1e-3);
+  packing.grains.position = {{1e-3, 1e-3, 1e-3}, {3e-3, 1e-3, 1e-3}};
+  packing.contacts.add(0, 1, {-1, 0, 0}, 2, {}, 1e-3, 1e-3);
+  packing.contacts.add(0, wall_partner(left), {1, 0, 0}, 3, {}, 1e-3, 0);
+  packing.contacts.add(1, wall_partner(right), {-1, 0, 0}, 5, {}, 1e-3, 0);
+  for (const int g : {0, 1}) {
+    packing.contacts.add(g, wall_partner(bottom), {0, 1, 0}, 1, {}, 1e-3, 0);
+    packing.contacts.add(g, wall_partner(top), {0, -1, 0}, 1, {}, 1e-3, 0);
+  }
+  SphereOptions options;
+  options.border = 0;
+  EXPECT_NEAR(value(measure_spheres(packing, options), "/quality/median_imbalance"), 1, 1e-12);
+}
+
 TEST(Spheres, AContainerWithoutVolumeIsRefused) {
   PackingIn<3> packing = crystal(1);
   packing.domain.wall[front].position = 0;
