@@ -200,7 +200,8 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
     std::optional<texture::Texture> now;
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     const bool measured = texture || is_last || packing.grains.size() <= small;
-    if (!texture) texture = &now.emplace((measured ? texture::measure : texture::grain_rows)(packing, stage.options));
+    if (!texture)
+      texture = &now.emplace((measured ? texture::measure<2> : texture::grain_rows<2>)(packing, stage.options));
     const Numbers numbers = measured ? figures::state_numbers(*stage.result, states[f], *texture) : Numbers();
     snapshots.push_back(snapshot_of(states[f], s, *texture, numbers, block));
     if (const auto places = grains.places_of(packing.grains); !places.empty())
