@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/median.hpp"
+#include "core/ranks.hpp"
 #include "core/text.hpp"
 #include "io/results/groups.hpp"
 #include "statistics/numbers.hpp"
@@ -102,12 +103,10 @@ constexpr std::array<Colour, 5> colours{Colour{230, 85, 13}, Colour{0, 150, 220}
 
 /// Grey values from the darkest to the brightest hundredth, so that a hot pixel does not blacken the rest.
 std::pair<float, float> shown_range(const FloatImage& picture) {
-  std::vector<float> sorted = picture.value;
-  const std::size_t n = sorted.size(), low = n / 200, high = n - 1 - n / 200;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(low), sorted.end());
-  const float least = sorted[low];
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(high), sorted.end());
-  return {least, std::max(sorted[high], std::nextafter(least, INFINITY))};
+  std::vector<float> values = picture.value;
+  const std::size_t n = values.size(), few = n / 200;
+  const float least = of_rank_in_place(values, few), most = of_rank_in_place(values, n - 1 - few);
+  return {least, std::max(most, std::nextafter(least, INFINITY))};
 }
 
 void draw_circle(io::ColourPicture& out, Vec2 centre, double radius, const Colour& colour) {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/ranks.hpp"
+
 namespace arenite::report {
 namespace {
 
@@ -25,14 +27,9 @@ std::int32_t median_prediction(const std::vector<std::int32_t>& code, int width,
 }
 
 /// Without residuals.
-CodedField coding_of(std::vector<double> sample, bool companded, double levels) {
+CodedField coding_of(const std::vector<double>& sample, bool companded, double levels) {
   if (sample.empty()) return {};
-  const auto at = [&](double share) {
-    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
-    std::nth_element(sample.begin(), sample.begin() + k, sample.end());
-    return sample[static_cast<std::size_t>(k)];
-  };
-  const double low = at(companded ? 0.001 : 0), high = at(companded ? 0.999 : 1);
+  const double low = at_share(sample, companded ? 0.001 : 0), high = at_share(sample, companded ? 0.999 : 1);
   const double half = (high - low) / 2;
   // A field of one value has no range to divide.
   return {companded, (low + high) / 2, half > 0 ? half : std::max(1e-300, std::abs(low)),
@@ -107,7 +104,7 @@ CodedField code_field(int width, int height, const std::vector<double>& values, 
   std::vector<double> sample;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (known[k] && std::isfinite(values[k])) sample.push_back(values[k]);
-  CodedField out = coding_of(std::move(sample), companded, levels);
+  CodedField out = coding_of(sample, companded, levels);
   std::vector<std::int32_t> code(values.size());
   std::size_t k = 0;
   for (int y = 0; y < height; ++y)

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/ranks.hpp"
 #include "validation/claims/chapter3.hpp"
 #include "validation/claims/claims.hpp"
 #include "validation/claims/thesis_choices.hpp"
@@ -24,8 +25,7 @@ double top_5_percent(const FinalState& state, const std::string& material) {
         state.packing.materials[static_cast<std::size_t>(grains.material[k])].name == material)
       pressure.push_back(-state.texture.per_grain.sigma_hyd[k]);
   if (pressure.size() < 20) return statistics::unknown;
-  std::sort(pressure.begin(), pressure.end());
-  return pressure[pressure.size() - 1 - pressure.size() / 20];
+  return of_rank_in_place(pressure, pressure.size() - 1 - pressure.size() / 20);
 }
 
 double ratio_of_means(const Run& run) {

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "core/ranks.hpp"
 #include "statistics/histogram.hpp"
 #include "thermal/imaging/search_rounds.hpp"
 
@@ -104,9 +105,8 @@ constexpr double most_share = 0.6;  // of the pixels on both sides of a level th
 /// Pixels that are farther from a level than half of what the farthest are.
 double pixels_away_from(double level, const FloatImage& image) {
   std::vector<double> away = mapped(image.value, [&](float v) { return std::abs(static_cast<double>(v) - level); });
-  const auto far = away.begin() + static_cast<std::ptrdiff_t>(away.size() * 9 / 10);
-  std::nth_element(away.begin(), far, away.end());
-  return static_cast<double>(std::count_if(away.begin(), away.end(), [half = *far / 2](double v) { return v > half; }));
+  const double half = of_rank_in_place(away, away.size() * 9 / 10) / 2;
+  return static_cast<double>(std::ranges::count_if(away, [half](double v) { return v > half; }));
 }
 
 /// Whether disks are brighter or darker than what is around them is decided, if it is asked, by which of the two

@@ -5,6 +5,7 @@
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "core/ranks.hpp"
 #include "statistics/least_squares.hpp"
 
 namespace arenite::imaging {
@@ -219,9 +220,7 @@ void DiskModel::start_background() {
     if (near[i] != 0 && covered_[i] < 0.2F) free.push_back(image_.value[i]);
   double level = 0;
   if (!free.empty()) {
-    const auto at = free.begin() + static_cast<std::ptrdiff_t>(free.size() * (bright_ ? 1 : 9) / 10);
-    std::nth_element(free.begin(), at, free.end());
-    level = between_.value_or(static_cast<double>(*at));
+    level = between_.value_or(static_cast<double>(of_rank_in_place(free, free.size() * (bright_ ? 1 : 9) / 10)));
     if (noise_ == 0) noise_ = 0.1 * std::abs(median_in_place(free.begin(), free.end()) - level);
   }
   node_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), level);

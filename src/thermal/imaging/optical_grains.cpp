@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/problems.hpp"
+#include "core/ranks.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/imaging/grains_of_picture.hpp"
 #include "thermal/imaging/overlay.hpp"
@@ -72,10 +73,8 @@ bool fits(const Overlay& overlay) {
 /// at contacts count no more than most of a grain's pixels.
 FloatImage warming_of(const LockinMaps& maps) {
   FloatImage warming{maps.width, maps.height, maps.amplitude};
-  std::vector<float> sorted = warming.value;
-  const auto most = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 6 / 10);
-  std::nth_element(sorted.begin(), most, sorted.end());
-  for (float& v : warming.value) v = std::min(v, *most);
+  const float most = of_rank(warming.value, warming.value.size() * 6 / 10);
+  for (float& v : warming.value) v = std::min(v, most);
   return warming;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/ranks.hpp"
+
 namespace arenite::imaging {
 namespace {
 
@@ -19,12 +21,6 @@ template <class Stays> void keep(PictureGrains& grains, const Stays& stays) {
   };
   filter(grains.centre, grains.radius, grains.position_error, grains.radius_error, grains.brightness, grains.score,
          grains.material, grains.size_class);
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 }  // namespace
@@ -52,8 +48,8 @@ void drop_overlapping(PictureGrains& grains) {
 
 void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& grains) {
   const std::vector<double> levels(frame.begin(), frame.end());
-  const double behind = quantile(levels, bright ? 0.02 : 0.98),
-               halfway = 0.5 * (behind + quantile(grains.brightness, 0.5));
+  const double behind = at_share(levels, bright ? 0.02 : 0.98),
+               halfway = 0.5 * (behind + at_share(grains.brightness, 0.5));
   keep(grains, [&](std::size_t i) { return bright ? grains.brightness[i] > halfway : grains.brightness[i] < halfway; });
 }
 

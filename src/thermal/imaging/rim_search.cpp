@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/ranks.hpp"
 #include "thermal/imaging/blur.hpp"
 
 namespace arenite::imaging {
@@ -39,10 +40,8 @@ Slope slope_of(const FloatImage& image, bool bright) {
 /// Slope that counts as none: of the noise, and a share of what one pixel in a hundred exceeds, the picture's clear
 /// edges.
 float no_slope(const FloatImage& image, const Slope& slope) {
-  std::vector<float> square = slope.square.value;
-  const auto at = square.begin() + static_cast<std::ptrdiff_t>(square.size() * 99 / 100);
-  std::nth_element(square.begin(), at, square.end());
-  return static_cast<float>(noise_level(image)) + texture * std::sqrt(*at) + 1e-30F;
+  const float clear = of_rank(slope.square.value, slope.square.value.size() * 99 / 100);
+  return static_cast<float>(noise_level(image)) + texture * std::sqrt(clear) + 1e-30F;
 }
 
 struct RingPixel {
