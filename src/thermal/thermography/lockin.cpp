@@ -285,14 +285,12 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
   o.drift_order = 0;
   check(o);
   FilmInfo even = film.info();
-  if (even.time.size() > 1 && even.frame_rate <= 0)
-    even.frame_rate = static_cast<double>(even.time.size() - 1) / (even.time.back() - even.time.front());
+  if (even.time.size() > 1 && even.frame_rate <= 0) even.frame_rate = 1 / mean_interval(even.time);
   even.time.clear();
   even.number.clear();
   std::vector<double> time = frame_times(even);
   const int harmonics = possible_harmonics(time, o);
-  const double length =
-      static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const double length = film_length(time);
   o.frequency = std::max(1.0, std::round(o.frequency * length)) / length;
   return locked_in(film, o, std::move(time), harmonics, {.looked = true});
 }

@@ -204,7 +204,7 @@ bool go_by_whole_frames(const Wave& wave, const std::vector<double>& signal, con
 std::vector<LostFrames> find_lost_frames(FilmSource& film, const SegmentSums& s, const LoadPhases& phases,
                                          const Progress& progress) {
   const std::size_t frames = s.time.size();
-  const double interval = (s.time.back() - s.time.front()) / static_cast<double>(frames - 1);
+  const double interval = mean_interval(s.time);
   const SearchBand band = search_band(s.time, s.frequency);
   const auto cycle = static_cast<std::size_t>(std::lround(1 / (s.frequency * interval)));
   if (band.empty() || phases.pixel.empty() || cycle < 8 || frames < 8 * cycle) return {};

@@ -22,6 +22,11 @@ inline double film_length(const std::vector<double>& time) {
   return time.size() < 2 ? 0 : (time.back() - time.front()) * frames / (frames - 1);
 }
 
+/// From one frame to the next in the mean over a film of two frames or more, s.
+inline double mean_interval(const std::vector<double>& time) {
+  return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+}
+
 /// Half the rate of frames where they follow each other without a gap, Hz.
 double nyquist_frequency(const std::vector<double>& time);
 
