@@ -15,6 +15,7 @@
 #include "report/print/animation.hpp"
 #include "thermal/inference/film_fit.hpp"
 #include "thermal/inference/film_maps.hpp"
+#include "thermal/inference/force_certainty.hpp"
 
 /// What pictures are drawn from.
 namespace arenite::python {

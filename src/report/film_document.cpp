@@ -24,6 +24,7 @@
 #include "thermal/inference/film_fit.hpp"
 #include "thermal/inference/film_maps.hpp"
 #include "thermal/inference/film_stresses.hpp"
+#include "thermal/inference/force_certainty.hpp"
 
 namespace arenite::report {
 namespace {

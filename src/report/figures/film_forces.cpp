@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
-#include <numeric>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
-#include "thermal/inference/film_fit.hpp"
+#include "thermal/inference/force_certainty.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -69,61 +68,40 @@ Drawings ranked_forces(const FilmData& data) {
   return drawings;
 }
 
-Bins certainty_bins(std::vector<double> ratios) {
-  std::ranges::sort(ratios);
-  const double high = std::max(4.0, ratios[static_cast<std::size_t>(0.98 * static_cast<double>(ratios.size() - 1))]),
-               low = std::min(0.0, std::max(-6.0, ratios.front()));
-  constexpr double most_bars = 36;
-  double step = 0.5;
-  for (int k = 0; (high - low) / step > most_bars; ++k) step *= k % 3 == 1 ? 2.5 : 2;
-  const double first = std::floor(low / step);
-  return {first * step, step, static_cast<int>(std::ceil(high / step) - first)};
-}
-
 /// Normal forces over their standard errors.
 Drawings certainty(const FilmData& data) {
-  const FilmResult& film = data.result;
-  if (!has_forces(film)) return {};
-  const std::vector<double> all = inference::forces_over_errors(film);
-  std::vector<double> ratios;
-  std::ranges::copy_if(all, std::back_inserter(ratios), [](double ratio) { return std::isfinite(ratio); });
-  if (ratios.empty()) return {};
-  const Bins bins = certainty_bins(ratios);
-  const auto n = static_cast<std::size_t>(bins.count);
-  const std::vector<std::uint8_t> doubtful = inference::doubtful_contacts(film);
-  std::vector<double> middle, base(n, 0.0);
-  for (std::size_t b = 0; b < n; ++b) middle.push_back(bins.first + (static_cast<double>(b) + 0.5) * bins.step);
+  if (!has_forces(data.result)) return {};
+  const auto found = inference::force_certainty(data.result);
+  if (!found) return {};
+  const statistics::Bins& bins = found->bins;
+  std::vector<double> middle, base(bins.count, 0.0);
+  for (std::size_t b = 0; b < bins.count; ++b) middle.push_back(bins.centre(b));
   Drawing drawing;
   Panel panel{{.label = "F_{n} / standard error", .brief = "F_{n} / s.e."}, {.label = "contacts", .low = 0}};
   for (const Kind& kind : kinds) {
-    std::vector<double> counts(n, 0.0);
-    for (std::size_t c = 0; c < all.size(); ++c) {
-      const double ratio = all[c];
-      if (!std::isfinite(ratio) || (doubtful[c] != 0) != kind.doubtful) continue;
-      ++counts[static_cast<std::size_t>(
-          std::clamp(std::floor((ratio - bins.first) / bins.step), 0.0, static_cast<double>(n - 1)))];
-    }
-    if (std::ranges::all_of(counts, [](double count) { return count == 0; })) continue;
+    const statistics::Counts& counts = found->there_and_doubtful[kind.doubtful ? 1 : 0];
+    const double whole = statistics::total(counts);
+    if (whole == 0) continue;
     auto top = base;
-    for (std::size_t b = 0; b < n; ++b) top[b] += counts[b];
+    for (std::size_t b = 0; b < bins.count; ++b) top[b] += counts[b];
     panel.series.push_back({.name = kind.name,
                             .colour = kind.colour,
                             .x = middle,
                             .y = counts,
                             .low = base,
                             .high = top,
-                            .bars = 0.92 * bins.step,
+                            .bars = 0.92 * bins.width,
                             .opacity = 0.75});
-    const double whole = std::accumulate(counts.begin(), counts.end(), 0.0);
     drawing.key.push_back({counted(whole) + " " + kind.name, kind.colour});
     base = std::move(top);
   }
-  const double end = bins.first + bins.count * bins.step;
-  if (const auto beyond = std::ranges::count_if(ratios, [&](double r) { return r > end; }); beyond > 0)
-    panel.corner.push_back(counted(static_cast<double>(beyond)) + " beyond " + rounded(end, 2) + " in the last bar");
-  if (const auto below = std::ranges::count_if(ratios, [&](double r) { return r < bins.first; }); below > 0)
-    panel.corner.push_back(counted(static_cast<double>(below)) + " below " + rounded(bins.first, 2) +
-                           " in the first bar");
+  const auto outside = [&](std::size_t count, const char* where, double edge, const char* bar) {
+    if (count > 0)
+      panel.corner.push_back(counted(static_cast<double>(count)) + where + rounded(edge, 2) + " in the " + bar +
+                             " bar");
+  };
+  outside(found->beyond, " beyond ", bins.edge(bins.count), "last");
+  outside(found->below, " below ", bins.low, "first");
   constexpr double above_bars = 1.3;  // room for these words
   if (!panel.corner.empty()) panel.y.high = above_bars * largest_of(base, 1);
   panel.references = {{.x = 0, .line = Line::solid}};

@@ -12,7 +12,7 @@
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
 #include "report/page_document.hpp"
-#include "thermal/inference/film_fit.hpp"
+#include "thermal/inference/force_certainty.hpp"
 
 namespace arenite::report::figures {
 

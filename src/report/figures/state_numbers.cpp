@@ -4,7 +4,7 @@
 #include "grains/texture/spheres/spheres.hpp"
 #include "grains/texture/view.hpp"
 #include "report/figures/drawing.hpp"
-#include "thermal/inference/film_fit.hpp"
+#include "thermal/inference/force_certainty.hpp"
 
 namespace arenite::report::figures {
 namespace {

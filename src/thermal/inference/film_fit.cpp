@@ -30,18 +30,4 @@ double root_mean_square(const std::vector<float>& map) {
   return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : statistics::unknown;
 }
 
-std::vector<std::uint8_t> doubtful_contacts(const FilmResult& film) {
-  constexpr double sure = 0.95;  // probability from which a contact is there without doubt
-  std::vector<std::uint8_t> doubtful(film.packing.contacts.size(), 0);
-  for (std::size_t c = 0; c < doubtful.size() && c < film.presence.size(); ++c) doubtful[c] = film.presence[c] < sure;
-  return doubtful;
-}
-
-std::vector<double> forces_over_errors(const FilmResult& film) {
-  std::vector<double> ratios = film.packing.contacts.fn;
-  if (film.fn_error.size() != ratios.size()) return {};
-  for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= film.fn_error[c];
-  return ratios;
-}
-
 }  // namespace arenite::inference

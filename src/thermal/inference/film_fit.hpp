@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <vector>
 
 #include "model/film_result.hpp"
@@ -20,11 +19,5 @@ FitMaps fit_maps(const FilmResult& film);
 
 /// Root mean square over the pixels that have a number; unknown without any.
 double root_mean_square(const std::vector<float>& map);
-
-/// 1 for each contact that counts as there, and by its force and its gap may not be; all 0 where nothing is known.
-std::vector<std::uint8_t> doubtful_contacts(const FilmResult& film);
-
-/// Of each contact how many standard errors its normal force is; empty where no errors are known.
-std::vector<double> forces_over_errors(const FilmResult& film);
 
 }  // namespace arenite::inference

@@ -38,13 +38,5 @@ TEST(FilmFit, IsEmptyWithoutForces) {
   EXPECT_TRUE(std::isnan(root_mean_square({})));
 }
 
-TEST(FilmFit, ContactsBelowNinetyFivePerCentAreDoubtful) {
-  FilmResult film;
-  for (int c = 0; c < 3; ++c) film.packing.contacts.add(0, 1, {1, 0}, 1, 0, 1, 1);
-  EXPECT_EQ(doubtful_contacts(film), (std::vector<std::uint8_t>{0, 0, 0}));
-  film.presence = {0.94, 0.95, 1};
-  EXPECT_EQ(doubtful_contacts(film), (std::vector<std::uint8_t>{1, 0, 0}));
-}
-
 }  // namespace
 }  // namespace arenite::inference
