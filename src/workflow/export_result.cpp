@@ -176,6 +176,43 @@ bool write_on_grid(const fs::path& file, const io::ExportFormat& format, Write i
   return false;
 }
 
+/// The same of a stored sample in space or of a field.
+bool write_on_grid(const fs::path& file, const std::string& kind, const io::ExportFormat& format, bool alone,
+                   Loading& loading) {
+  const auto voxels = [&] { return format.of_voxels(io::read_voxels(file)); };
+  const auto nodes = [&] {
+    const FieldResult field = io::read_field(file);
+    return format.of_field({&field, derived_fields(field)});
+  };
+  return kind == "voxels"
+             ? write_on_grid(file, format, &io::ExportFormat::of_voxels, "a sample in space", alone, voxels, loading)
+             : write_on_grid(file, format, &io::ExportFormat::of_field, "a field on nodes", alone, nodes, loading);
+}
+
+/// The states of a stage of disks that are not there yet; `before` is where the stage before ended, and then this one.
+void add_disks(const fs::path& file, const io::ExportFormat& format, bool last_only, std::optional<Packing>& before,
+               Loading& loading, Provenance& last) {
+  StageResult stage = io::read_stage(file);
+  last = stage.provenance;
+  if (format.of_curves && !last_only) loading.add(curves_of(fields::Test{stage, before ? &*before : nullptr}));
+  if (!stage.snapshots.empty()) before = stage.snapshots.back().packing;
+  if (last_only && stage.snapshots.size() > 1)
+    stage.snapshots.erase(stage.snapshots.begin(), stage.snapshots.end() - 1);
+  for (Snapshot& snapshot : stage.snapshots) {
+    if (loading.has(snapshot.time)) continue;
+    const double rate = fields::shear_rate_at(stage.history, snapshot.time);
+    auto fields = derived_fields(snapshot.packing);
+    loading.add(stage.name, std::move(snapshot), std::move(fields), {}, rate);
+  }
+}
+
+void add_film(const fs::path& file, Loading& loading, Provenance& last) {
+  const FilmResult film = io::read_film_result(file);
+  last = film.provenance;
+  loading.add(film.name, std::move(measured_stage(film).snapshots.front()), derived_fields(film),
+              fields_of_contacts(film));
+}
+
 }  // namespace
 
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder,
@@ -190,48 +227,19 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
   std::optional<Packing> before;
   for (const auto& file : files) {
     const std::string kind = io::stored_kind(file);
-    const bool alone = files.size() == 1;
     if (kind == "voxels" || kind == "field") {
-      const auto voxels = [&] { return format.of_voxels(io::read_voxels(file)); };
-      const auto nodes = [&] {
-        const FieldResult field = io::read_field(file);
-        return format.of_field({&field, derived_fields(field)});
-      };
-      const bool written =
-          kind == "voxels"
-              ? write_on_grid(file, format, &io::ExportFormat::of_voxels, "a sample in space", alone, voxels, loading)
-              : write_on_grid(file, format, &io::ExportFormat::of_field, "a field on nodes", alone, nodes, loading);
+      const bool written = write_on_grid(file, kind, format, files.size() == 1, loading);
       has_field = has_field || written;
       if (!written) not_held.push_back(file);
-      continue;
-    }
-    if (kind == "spheres" && !format.holds_spheres()) {
+    } else if (kind == "spheres" && !format.holds_spheres()) {
       if (!spheres_not_held) spheres_not_held = file;
       not_held.push_back(file);
-      continue;
-    }
-    if (kind == "spheres") {
+    } else if (kind == "spheres") {
       add_spheres(file, format, last_only, loading, last);
-      continue;
-    }
-    if (kind == "film") {
-      const FilmResult film = io::read_film_result(file);
-      last = film.provenance;
-      loading.add(film.name, std::move(measured_stage(film).snapshots.front()), derived_fields(film),
-                  fields_of_contacts(film));
-      continue;
-    }
-    StageResult stage = io::read_stage(file);
-    last = stage.provenance;
-    if (format.of_curves && !last_only) loading.add(curves_of(fields::Test{stage, before ? &*before : nullptr}));
-    if (!stage.snapshots.empty()) before = stage.snapshots.back().packing;
-    if (last_only && stage.snapshots.size() > 1)
-      stage.snapshots.erase(stage.snapshots.begin(), stage.snapshots.end() - 1);
-    for (Snapshot& snapshot : stage.snapshots) {
-      if (loading.has(snapshot.time)) continue;
-      const double rate = fields::shear_rate_at(stage.history, snapshot.time);
-      auto fields = derived_fields(snapshot.packing);
-      loading.add(stage.name, std::move(snapshot), std::move(fields), {}, rate);
+    } else if (kind == "film") {
+      add_film(file, loading, last);
+    } else {
+      add_disks(file, format, last_only, before, loading, last);
     }
   }
   const bool is_empty = loading.is_empty() && !has_field;
