@@ -11,8 +11,8 @@ namespace arenite::app {
 namespace {
 
 using fields::StagePrediction;
+using fields::StepLimit;
 using workflow::Prediction;
-using workflow::StepLimit;
 
 std::string collision_text(const Prediction& p) {
   return fmt::format("collision ({:.3g} s; {}, {}, radius {:.3g} mm)", p.collision.time,

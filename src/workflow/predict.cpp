@@ -5,14 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <iterator>
 #include <utility>
-#include <variant>
 
 #include "core/error.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/regime/prediction.hpp"
+#include "grains/fields/regime/prediction_doubts.hpp"
 #include "grains/fields/regime/stage_steps.hpp"
+#include "recipe/smaller_sample.hpp"
 #include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
 
@@ -39,113 +41,15 @@ template <int D> double measured_step(dem::EngineIn<D>& engine, const dem::Stage
   return steps > 0 ? dense(engine) * seconds() / static_cast<double>(steps) : 0;
 }
 
-template <int D> StepLimit limit_of(const dem::EngineIn<D>& engine, const recipe::Recipe& recipe, double collision) {
-  if (recipe.integration.time_step) return StepLimit::given;
-  if (engine.dt > 0.999 * recipe.integration.safety * collision) return StepLimit::collision;
-  const dem::StepBounds bounds = step_bounds(engine);
-  return bounds.damping < bounds.stiffness ? StepLimit::damping : StepLimit::stiffness;
-}
-
 constexpr std::size_t most_grains = 20'000, few_grains = 4'000;
 
-/// Of the recipe, before anything is made; 0 where only its file knows.
-std::size_t count_of(const recipe::Recipe& recipe) {
-  if (recipe.packing.method == recipe::PackingParameters::Method::file) return 0;
-  if (recipe.bidisperse) {
-    const auto& law = recipe.bidisperse->law;
-    constexpr double solid = 0.6;  // about what the sampling reaches
-    const double large = solid * law.box_area * law.volume_ratio / (1 + law.volume_ratio);
-    return static_cast<std::size_t>(large * (1 + law.size_ratio * law.size_ratio / law.volume_ratio));
-  }
-  std::int64_t sum = 0;
-  bool shares = false;
-  for (const auto& population : recipe.populations) {
-    sum += population.count.value_or(0);
-    shares |= population.ratio.has_value();
-  }
-  return static_cast<std::size_t>(std::max(sum, shares ? recipe.packing.grains : 0));
-}
-
-/// How much smaller a sample of fewer grains is along x and along y.
-struct Smaller {
-  double across = 1, along = 1;
-};
-
-/// Alike along both, but never narrower than some grains: a narrow sample is only less high.
-Smaller smaller_by(const recipe::Recipe& recipe, double share) {
-  constexpr double fewest_across = 10;
-  double widest = 0;
-  for (const auto& population : recipe.populations)
-    widest = std::max(widest, std::visit([](const auto& law) { return law.largest(); }, population.size));
-  const double width = recipe.container.width, across = std::sqrt(share);
-  if (!(width > 0) || across * width >= fewest_across * widest) return {across, across};
-  const double least = std::min(1.0, fewest_across * widest / width);
-  return {least, share / least};
-}
-
-/// The same with fewer grains in a frame that is smaller.
-recipe::Recipe with_fewer(recipe::Recipe recipe, double share, const Smaller& by) {
-  if (recipe.bidisperse) recipe.bidisperse->law.box_area *= share;
-  const auto fewer = [share](std::int64_t count) {
-    return std::max<std::int64_t>(1, std::llround(share * static_cast<double>(count)));
-  };
-  for (auto& population : recipe.populations)
-    if (population.count) population.count = fewer(*population.count);
-  recipe.packing.grains = fewer(recipe.packing.grains);
-  recipe.container.width *= by.across;
-  recipe.container.height *= by.along;
-  return recipe;
-}
-
-/// The same with fewer spheres in a box that is smaller by as much along each axis, without boundaries: their faces
-/// would stand elsewhere in it.
-recipe::Recipe with_fewer_spheres(recipe::Recipe recipe, double share, double by) {
-  recipe = with_fewer(std::move(recipe), share, {by, by});
-  recipe.container.depth *= by;
-  if (recipe.packing.area)
-    for (std::optional<double>& edge : recipe.packing.area->edge)
-      if (edge) *edge *= by;
-  recipe.boundaries_in_space.clear();
-  for (dem::Stage& stage : recipe.stages) {
-    stage.boundaries_in_space.clear();
-    std::erase_if(stage.programmes, [](const dem::Programme& programme) { return programme.of.is_of_boundary(); });
-  }
-  return recipe;
-}
-
 void warn(Prediction& p, const recipe::Recipe& recipe) {
-  constexpr double tiny = 0.01;
-  if (p.time_step < tiny * p.collision.time)
-    p.warnings.push_back(
-        fmt::format("a collision takes {:.0f} steps; a step of a tenth of its duration would suffice{}",
-                    p.collision.time / p.time_step,
-                    p.limit == StepLimit::damping
-                        ? fmt::format(", but damping prevents it: raise contact.restitution (now {:g}), or lower drag",
-                                      recipe.contact.restitution)
-                        : ""));
-  for (std::size_t s = 0; s < p.stages.size(); ++s) {
-    const fields::StagePrediction& stage = p.stages[s];
-    if (stage.overlap && *stage.overlap > 0.01)
-      p.warnings.push_back(fmt::format(
-          "stage {}: grains overlap by about {:.2g} % of their diameter (k/P = {:.3g}); they are hard above 1e4",
-          stage.name, 100 * *stage.overlap, *stage.stiffness_number));
-    const auto& sides = recipe.stages[s].side;
-    const bool closes = std::any_of(sides.begin(), sides.end(),
-                                    [](const auto& side) { return side.kind == dem::SideDrive::Kind::velocity; });
-    if (stage.inertial_number && *stage.inertial_number > 0.1 && closes)
-      p.warnings.push_back(
-          fmt::format("stage {}: I = {:.2g}: the sample is deformed faster than grains can rearrange; below 1e-3 it "
-                      "would be quasi-static",
-                      stage.name, *stage.inertial_number));
-    if (const double each =
-            static_cast<double>(stage.steps) / static_cast<double>(dem::increment_count(recipe.stages[s]));
-        !stage.exact && each > static_cast<double>(recipe.stages[s].equilibrium.max_steps))
-      p.warnings.push_back(fmt::format("stage {}: an increment may need more than equilibrium.max_steps = {}",
-                                       stage.name, recipe.stages[s].equilibrium.max_steps));
-  }
+  const auto add = [&](std::vector<std::string> doubts) { std::ranges::move(doubts, std::back_inserter(p.warnings)); };
+  add(fields::doubts_about_step(p.time_step, p.limit, p.collision, recipe.contact));
+  for (std::size_t s = 0; s < p.stages.size(); ++s) add(fields::doubts_about(p.stages[s], recipe.stages[s]));
 }
 
-/// In the order of StepLimit.
+/// In the order of fields::StepLimit.
 constexpr const char* limit_words[] = {"collision", "stiffness", "damping", "given"};
 
 Numbers numbers_of(const fields::StagePrediction& s) {
@@ -221,7 +125,7 @@ void look_at(Prediction& p, const dem::EngineIn<D>& engine, const PackingIn<D>& 
   p.largest_step = step_bounds(engine).largest();
   p.collision = fields::shortest_collision(start, recipe.contact);
   p.material = start.materials[static_cast<std::size_t>(p.collision.material)].name;
-  p.limit = limit_of(engine, recipe, p.collision.time);
+  p.limit = fields::step_limit(engine, recipe.integration, p.collision.time);
 }
 
 /// Times the first stage, and so knows what all of them take.
@@ -244,8 +148,8 @@ void time_stages(Prediction& p, const PackingIn<D>& start, const recipe::Recipe&
 
 Prediction predict_spheres(const recipe::Recipe& recipe, std::size_t expected, double share) {
   Prediction p;
-  const double by = std::cbrt(share);
-  const recipe::Recipe made = share < 1 ? with_fewer_spheres(recipe, share, by) : recipe;
+  const recipe::SmallerSample smaller = recipe::smaller_sample(recipe, share);
+  const recipe::Recipe& made = smaller.recipe;
   const PackingIn<3> start = make_sphere_packing(made).snapshots.back().packing;
   p.sample = start.grains.size();
   p.grains = share < 1 ? expected : p.sample;
@@ -256,7 +160,7 @@ Prediction predict_spheres(const recipe::Recipe& recipe, std::size_t expected, d
   bool at_rest = false;
   for (const dem::Stage& stage : made.stages) {
     dem::begin_stage(engine, stage);
-    p.stages.push_back(fields::predict_stage(engine, made.integration.drag, stage, 1 / by, at_rest));
+    p.stages.push_back(fields::predict_stage(engine, made.integration.drag, stage, 1 / smaller.across, at_rest));
   }
   if (made.stages.empty()) return p;
   time_stages(p, start, made, share);
@@ -266,8 +170,8 @@ Prediction predict_spheres(const recipe::Recipe& recipe, std::size_t expected, d
 
 Prediction predict_disks(const recipe::Recipe& recipe, std::size_t expected, double share) {
   Prediction p;
-  const Smaller by = share < 1 ? smaller_by(recipe, share) : Smaller{};
-  const Packing start = make_packing(share < 1 ? with_fewer(recipe, share, by) : recipe).snapshots.back().packing;
+  const recipe::SmallerSample by = recipe::smaller_sample(recipe, share);
+  const Packing start = make_packing(by.recipe).snapshots.back().packing;
   p.sample = start.grains.size();
   p.grains = share < 1 ? expected : p.sample;
   p.bytes_of_state = 170;  // measured on three recipes of init
@@ -291,7 +195,7 @@ Prediction predict_disks(const recipe::Recipe& recipe, std::size_t expected, dou
 }  // namespace
 
 Prediction predict(const recipe::Recipe& recipe) {
-  const std::size_t expected = count_of(recipe);
+  const std::size_t expected = recipe::grains_asked(recipe);
   const double share = expected > most_grains ? static_cast<double>(few_grains) / static_cast<double>(expected) : 1.0;
   return recipe.dimension == 3 ? predict_spheres(recipe, expected, share) : predict_disks(recipe, expected, share);
 }

@@ -13,14 +13,11 @@
 // What a simulation will cost and what it will be like, before it is run. SI units.
 namespace arenite::workflow {
 
-/// Why the time step is as long as it is.
-enum class StepLimit { collision, stiffness, damping, given };
-
 struct Prediction {
   std::size_t grains = 0;  ///< of the recipe, where it says how many
   std::size_t sample = 0;  ///< of the sample that was made to look at; fewer where the recipe's would take long
   double time_step = 0, largest_step = 0;  ///< s; the largest that is stable
-  StepLimit limit = StepLimit::collision;
+  fields::StepLimit limit = fields::StepLimit::collision;
   fields::ShortestCollision collision;
   std::string material;         ///< of that collision
   double seconds_per_step = 0;  ///< of one processor, for all grains

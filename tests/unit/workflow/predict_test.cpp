@@ -23,7 +23,7 @@ TEST(Prediction, TheStepOfUndampedGrainsIsATenthOfTheShortestCollision) {
   const auto p =
       workflow::predict(elastic("[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = "
                                 "\"10 mm/s\" }\nduration = \"10 ms\"\n"));
-  EXPECT_EQ(p.limit, workflow::StepLimit::collision);
+  EXPECT_EQ(p.limit, fields::StepLimit::collision);
   EXPECT_NEAR(p.time_step, 0.1 * p.collision.time, 1e-15);
   EXPECT_EQ(p.grains, 60u);
   ASSERT_EQ(p.stages.size(), 1u);
@@ -42,7 +42,7 @@ TEST(Prediction, WarnsOfSoftGrainsFastSidesAndTinySteps) {
       "ms\"\n");
   recipe.integration.time_step = 1e-9;
   const auto p = workflow::predict(recipe);
-  EXPECT_EQ(p.limit, workflow::StepLimit::given);
+  EXPECT_EQ(p.limit, fields::StepLimit::given);
   const auto warns = [&](const std::string& of) {
     return std::any_of(p.warnings.begin(), p.warnings.end(),
                        [&](const std::string& w) { return w.find(of) != std::string::npos; });

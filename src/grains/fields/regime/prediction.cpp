@@ -15,6 +15,7 @@
 #include "grains/dem/engine.hpp"
 #include "grains/dem/exchange/traffic.hpp"
 #include "grains/dem/run_stage.hpp"
+#include "grains/fields/regime/coming_to_rest.hpp"
 #include "grains/fields/regime/stage_steps.hpp"
 
 namespace arenite::fields {
@@ -44,11 +45,6 @@ double overlap_under(const dem::NormalLaw& law, double stiffness, double diamete
 double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness,
                         double pressure) {
   return diameter / overlap_under(law, stiffness, diameter, pressure * thickness * diameter);
-}
-
-double settling_time(double period, double drag, double unbalanced, bool pressed_all_round) {
-  const double periods = pressed_all_round ? 1.0 : 4.5;
-  return std::log(1 / unbalanced) / (1 / (periods * period) + 0.5 * drag);
 }
 
 double time_asked(const dem::Stage& stage) {
@@ -146,21 +142,6 @@ Pressures pressures_of(const dem::Stage& stage, const Bulk& bulk, const Pressure
   return {std::max({x, y, w}), std::max(x > 0 && y > 0 ? std::min(x, y) : x + y, w)};
 }
 
-/// Time in which a loose sample is pressed together, s: its sides come in at some 2 I sqrt(F H/M) (dem/walls.hpp;
-/// measured on examples/01 and 05). `bulk` is then as dense as that leaves it.
-double closing_time(const dem::Stage& stage, const Pressures& pressures, bool without_friction, Bulk& bulk) {
-  const double dense = without_friction ? 0.84 : 0.81;  // random packings of disks, with little and with some friction
-  const bool x = pressure_along(stage, bulk, 0) > 0, y = pressure_along(stage, bulk, 1) > 0;
-  if ((!x && !y && !stage.gravity) || bulk.solid_fraction >= dense) return 0;
-  const double closer = x && y ? std::sqrt(bulk.solid_fraction / dense) : bulk.solid_fraction / dense;
-  const double speed = 2 * stage.inertial_number * std::sqrt(pressures.largest / (bulk.solid_fraction * bulk.density));
-  const double way = (1 - closer) * std::max(x ? bulk.width : 0.0, y || !x ? bulk.height : 0.0);
-  if (x) bulk.width *= closer;
-  if (y || !x) bulk.height *= closer;
-  bulk.solid_fraction = dense;
-  return way / (x || y ? speed : std::sqrt(stage.gravity_size * way));
-}
-
 /// As the engine bounds it before grains overlap.
 double tangent(const dem::ContactParameters& contact, double stiffness) {
   return std::visit([&](const auto& law) { return law.tangent(dem::reference_share, stiffness, 1.0); }, contact.normal);
@@ -213,15 +194,13 @@ StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters
     p.inserted = dem::grains_due(engine, stage.exchange, p.duration);
     return p;
   }
-  p.states = dem::increment_count(stage);
   const double critical = critical_drag(engine) / bulk.larger;
-  const auto increments = static_cast<double>(dem::increment_count(stage));
-  const bool without_friction = stage.friction.value_or(contact.friction) < 0.05;
-  const double settling = settling_of(stage, std::span(stage.side).first<sides>(), critical, steady_drag);
-  const double closing = closing_time(stage, pressures, without_friction, bulk);
-  p.duration = closing + increments * settling;
-  p.steps = about_steps(p.duration, p.time_step);
-  p.increment_steps = about_steps(closing + settling, p.time_step);
+  const double settling = settling_time(stage, std::span(stage.side).first<sides>(), critical, steady_drag);
+  const Closing closing{.along_x = pressure_along(stage, bulk, 0) > 0,
+                        .along_y = pressure_along(stage, bulk, 1) > 0,
+                        .pressure = pressures.largest,
+                        .without_friction = stage.friction.value_or(contact.friction) < 0.05};
+  count_steps(p, stage, closing_time(stage, closing, bulk), settling);
   return p;
 }
 
@@ -251,5 +230,15 @@ ShortestCollision shortest_collision(const PackingIn<D>& packing, const dem::Con
 }
 template ShortestCollision shortest_collision(const Packing&, const dem::ContactParameters&);
 template ShortestCollision shortest_collision(const PackingIn<3>&, const dem::ContactParameters&);
+
+template <int D>
+StepLimit step_limit(const dem::EngineIn<D>& engine, const dem::IntegrationParameters& integration, double collision) {
+  if (integration.time_step) return StepLimit::given;
+  if (engine.dt > 0.999 * integration.safety * collision) return StepLimit::collision;
+  const dem::StepBounds bounds = step_bounds(engine);
+  return bounds.damping < bounds.stiffness ? StepLimit::damping : StepLimit::stiffness;
+}
+template StepLimit step_limit(const dem::Engine&, const dem::IntegrationParameters&, double);
+template StepLimit step_limit(const dem::EngineIn<3>&, const dem::IntegrationParameters&, double);
 
 }  // namespace arenite::fields

@@ -36,11 +36,6 @@ double overlap_under(const dem::NormalLaw& law, double stiffness, double diamete
 double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness,
                         double pressure);
 
-/// An estimate of the time after which a sample rests, s: without drag the unbalanced force falls by a factor e in some
-/// 4.5 periods of its slowest wave, in one where every side presses and takes up the waves that reach it (measured on
-/// examples/01, 06 and 07); drag, 1/s, adds half its rate.
-double settling_time(double period, double drag, double unbalanced, bool pressed_all_round = false);
-
 /// The pair whose collision is shortest: two grains alike, or a grain and a wall.
 struct ShortestCollision {
   double time = 0;    ///< s
@@ -50,6 +45,12 @@ struct ShortestCollision {
 };
 template <int D>
 ShortestCollision shortest_collision(const PackingIn<D>& packing, const dem::ContactParameters& contact);
+
+/// Why the time step is as long as it is.
+enum class StepLimit { collision, stiffness, damping, given };
+/// Of a sample whose shortest collision takes so long, s.
+template <int D>
+StepLimit step_limit(const dem::EngineIn<D>& engine, const dem::IntegrationParameters& integration, double collision);
 
 /// Steps of a stage that can be counted one by one: whole numbers up to here are exact in a double.
 inline constexpr double most_steps = 9007199254740992.0;

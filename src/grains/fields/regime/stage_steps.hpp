@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <span>
 
 #include "grains/dem/stage.hpp"
 #include "grains/fields/regime/prediction.hpp"
@@ -14,8 +13,8 @@ std::int64_t about_steps(double time, double time_step);
 /// Time, steps and states of a stage that lasts as long as it is asked to. Throws InputError for too many steps.
 void count_steps(StagePrediction& prediction, const dem::Stage& stage);
 
-/// The settling time of a sample with these sides whose critical drag is known, s.
-double settling_of(const dem::Stage& stage, std::span<const dem::SideDrive> sides, double critical, double steady_drag);
+/// The same of a stage that ends at rest: it closes, s, and settles after each increment, s.
+void count_steps(StagePrediction& prediction, const dem::Stage& stage, double closing, double settling);
 
 /// Steps, roughly, in which spheres come to rest under the drives of a stage, from where they are: as dense as they
 /// then get, and settled.

@@ -57,13 +57,5 @@ TEST(StiffnessNumber, GrowsAsThePressureToMinusTwoThirdsForHertz) {
 
 TEST(Overlap, OfGrainsThatAreTooSoftIsTheirDiameter) { EXPECT_EQ(overlap_under(dem::Linear{}, 10, 0.01, 1e3), 0.01); }
 
-TEST(SettlingTime, IsShorterWithDragAndLongerForAStricterRest) {
-  const double period = 8e-3;
-  const double without = settling_time(period, 0, 1e-4);
-  EXPECT_NEAR(without, 4.5 * period * std::log(1e4), 1e-12);
-  EXPECT_LT(settling_time(period, 100, 1e-4), without);
-  EXPECT_LT(without, settling_time(period, 0, 1e-5));
-}
-
 }  // namespace
 }  // namespace arenite::fields
