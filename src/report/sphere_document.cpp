@@ -26,6 +26,7 @@
 #include "report/figures/state_numbers.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
+#include "statistics/measured.hpp"
 
 namespace arenite::report {
 namespace {
@@ -109,8 +110,7 @@ Numbers add_quantities(Numbers& out, const PackingIn<3>& packing, const Asked& a
                                    {"symbol", std::string(quantity.symbol)},
                                    {"unit", std::string(quantity.unit)}};
     if (quantity.is_magnitude) said["magnitude"] = true;
-    if (!values.empty())
-      said["mean"] = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    if (!values.empty()) said["mean"] = statistics::mean_of(values).value;
   };
   const auto add = [&](const char* name, auto written) {
     add_values(name, texture::values_of(packing, name), written);

@@ -31,6 +31,10 @@ Difference difference_of(const Estimate& a, const Estimate& b, double period) {
   return d;
 }
 
+Estimate inverse_of(const Estimate& a, double over) {
+  return {over / a.value, std::abs(over) * a.error / (a.value * a.value)};
+}
+
 double beyond_by_chance(std::size_t judged) {
   return std::erfc(least_told / std::numbers::sqrt2) * static_cast<double>(judged);
 }

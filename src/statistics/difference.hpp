@@ -21,6 +21,9 @@ struct Difference {
 /// b - a. Of angles with a period, in their unit, the shorter way; 0: what is no angle.
 Difference difference_of(const Estimate& a, const Estimate& b, double period = 0);
 
+/// `over` / a.
+Estimate inverse_of(const Estimate& a, double over = 1);
+
 /// How many of so many differences of equal samples chance alone puts beyond `least_told`, by the normal law.
 double beyond_by_chance(std::size_t judged);
 

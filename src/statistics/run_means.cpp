@@ -7,6 +7,7 @@
 
 #include "core/mapped.hpp"
 #include "statistics/measured.hpp"
+#include "statistics/sectors.hpp"
 
 namespace arenite::statistics {
 namespace {
@@ -147,6 +148,10 @@ Curve regression(double slope, const Curve& share) {
 
 }  // namespace
 
+double deviation_of_samples(double standard_error, std::size_t samples) {
+  return standard_error * std::sqrt(static_cast<double>(samples));
+}
+
 SampleMean mean_density(const std::vector<Numbers>& runs, const std::string& path) {
   const auto densities = densities_of(runs, path);
   if (densities.empty()) return {};
@@ -192,8 +197,7 @@ SampleMean mean_list(const std::vector<Numbers>& runs, const std::string& path_x
   SampleMean mean = mean_of_lists(std::move(x), lists);
   const double whole = std::accumulate(mean.y.begin(), mean.y.end(), 0.0);
   if (path_x.empty() && sectors.shares && whole > 0)
-    for (auto* values : {&mean.y, &mean.error})
-      for (double& value : *values) value *= static_cast<double>(mean.y.size()) / whole;
+    for (auto* values : {&mean.y, &mean.error}) *values = over_isotropic(std::move(*values), whole);
   return mean;
 }
 

@@ -11,6 +11,9 @@ struct SampleMean : Curve {
   std::size_t samples = 0;
 };
 
+/// Deviation of single samples that the standard error of the mean of so many tells.
+double deviation_of_samples(double standard_error, std::size_t samples);
+
 /// What a mean of lists is of sectors of directions.
 struct Sectors {
   std::size_t count = 0;  ///< other ones are shared out into so many, as if they were even within; 0: as they are

@@ -72,6 +72,19 @@ void compare(const std::vector<TailSums>& sums, TailSums all, TailRange range, d
 
 }  // namespace
 
+bool FallBeyondMean::is_known() const { return std::isfinite(level) && std::isfinite(rate); }
+double FallBeyondMean::at(double x) const { return level * std::exp(rate * (1 - x)); }
+double FallBeyondMean::where(double value) const { return 1 + std::log(level / value) / rate; }
+
+bool WeakPowerLaw::is_known() const { return std::isfinite(k) && std::isfinite(alpha); }
+double WeakPowerLaw::at(double x) const { return k * std::pow(x, -alpha); }
+
+bool CutExponential::is_known() const { return std::isfinite(rate) && std::isfinite(low) && std::isfinite(high); }
+double CutExponential::at(double x) const {
+  const double at_0 = share * rate / (std::exp(-rate * low) - std::exp(-rate * high));
+  return at_0 * std::exp(-rate * x);
+}
+
 TailFit exponential_tail(const std::vector<double>& sorted) {
   TailFit tail;
   const auto first = std::upper_bound(sorted.begin(), sorted.end(), 1.0);

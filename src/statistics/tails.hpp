@@ -23,6 +23,30 @@ struct TailFit {
 /// (jackknife.hpp).
 TailFit exponential_tail(const std::vector<double>& sorted);
 
+/// What falls exponentially beyond the mean, level exp(rate (1 - x)): the share of the values above x, or their density
+/// (T eq. 1.4).
+struct FallBeyondMean {
+  double level = unknown, rate = unknown;  ///< the level at the mean, x = 1
+  bool is_known() const;
+  double at(double x) const;
+  /// The x where it has fallen to a value.
+  double where(double value) const;
+};
+
+/// Density of the weak values, k x^-alpha (T eq. 1.3).
+struct WeakPowerLaw {
+  double k = unknown, alpha = unknown;
+  bool is_known() const;
+  double at(double x) const;
+};
+
+/// Density that falls as exp(-rate x) from `low` to `high`, between which there is a share of the values.
+struct CutExponential {
+  double rate = unknown, low = unknown, high = unknown, share = unknown;
+  bool is_known() const;
+  double at(double x) const;
+};
+
 /// Weak values are those from this to 1: below, forces are those of the imbalance that is left, and a few values of
 /// 1e-6 would weigh as much as a hundred others.
 inline constexpr double least_weak = 0.01;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "statistics/tails.hpp"
+
 namespace arenite::report::figures {
 namespace {
 
@@ -41,13 +43,17 @@ Panel survival(const std::vector<Set>& sets, const std::string& x, const std::st
                             .points = true,
                             .weight = 0.7});
   for (const Set& set : sets) {
-    const double beta = estimate_at(*set.of, "/beta").value, share = share_of(set).value;
-    if (!std::isfinite(beta) || !std::isfinite(share)) continue;
-    const double last = logarithmic ? std::min(end, 1 + std::log(share / *panel.y.low) / beta) : end;
-    const auto [at, tail] = sampled(
-        1, last, [&](double v) { return share * std::exp(beta * (1 - v)); }, logarithmic ? 1 : 40);
-    panel.series.push_back(
-        {.name = set.name, .colour = set.colour, .x = at, .y = tail, .line = Line::dashed, .is_read = false});
+    const statistics::FallBeyondMean tail{share_of(set).value, estimate_at(*set.of, "/beta").value};
+    if (!tail.is_known()) continue;
+    const double last = logarithmic ? std::min(end, tail.where(*panel.y.low)) : end;
+    const auto [x_of_tail, y_of_tail] = sampled(
+        1, last, [&](double v) { return tail.at(v); }, logarithmic ? 1 : 40);
+    panel.series.push_back({.name = set.name,
+                            .colour = set.colour,
+                            .x = x_of_tail,
+                            .y = y_of_tail,
+                            .line = Line::dashed,
+                            .is_read = false});
   }
   panel.references = {{.x = 1}};
   return panel;
@@ -115,17 +121,17 @@ Panel density(const std::vector<Set>& sets) {
              .low = std::pow(10, std::floor(std::log10(least))),
              .high = 1.3 * most};
   const Numbers& all = *sets.front().of;
-  const double k = estimate_at(all, "/k").value, alpha = estimate_at(all, "/alpha").value,
-               beta = estimate_at(all, "/beta").value;
+  const double k = estimate_at(all, "/k").value;
+  const statistics::WeakPowerLaw weak{k, estimate_at(all, "/alpha").value};
+  const statistics::FallBeyondMean strong{k, estimate_at(all, "/beta").value};
   const auto fit = [&](const auto& line) {
     panel.series.push_back(
         {.colour = "fit", .x = line.first, .y = line.second, .line = Line::dashed, .is_read = false});
   };
-  if (std::isfinite(k) && std::isfinite(alpha))
-    fit(sampled(0.02, 1, [&](double x) { return k * std::pow(x, -alpha); }));
-  if (std::isfinite(k) && std::isfinite(beta))
+  if (weak.is_known()) fit(sampled(0.02, 1, [&](double x) { return weak.at(x); }));
+  if (strong.is_known())
     fit(sampled(
-        1, *panel.x.high, [&](double x) { return k * std::exp(beta * (1 - x)); }, 1));
+        1, *panel.x.high, [&](double x) { return strong.at(x); }, 1));
   panel.references = {{.x = 1}};
   panel.near = true;
   return panel;

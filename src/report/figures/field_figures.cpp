@@ -9,6 +9,7 @@
 
 #include "report/figures/failure.hpp"
 #include "statistics/q_gaussian.hpp"
+#include "statistics/tails.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -38,13 +39,14 @@ std::vector<NodeSet> node_sets(const Numbers& component, bool own) {
 
 /// The fitted fall-off exp(-s x) between its ends, which holds as many nodes as were counted there.
 Pairs tail_of(const Numbers& set) {
-  const double s = estimate_at(set, "/tail/slope").value, low = estimate_at(set, "/tail/low").value,
-               high = estimate_at(set, "/tail/high").value;
-  if (!std::isfinite(s) || !std::isfinite(low) || !std::isfinite(high)) return {};
-  const double share = estimate_at(set, "/tail/count").value / estimate_at(set, "/count").value;
-  const double at_0 = share * s / (std::exp(-s * low) - std::exp(-s * high));
+  const statistics::CutExponential tail{
+      .rate = estimate_at(set, "/tail/slope").value,
+      .low = estimate_at(set, "/tail/low").value,
+      .high = estimate_at(set, "/tail/high").value,
+      .share = estimate_at(set, "/tail/count").value / estimate_at(set, "/count").value};
+  if (!tail.is_known()) return {};
   return sampled(
-      low, high, [&](double x) { return at_0 * std::exp(-s * x); }, 1);
+      tail.low, tail.high, [&](double x) { return tail.at(x); }, 1);
 }
 
 Pairs q_gaussian_of(const Numbers& set, double low, double high) {

@@ -8,6 +8,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/table/table.hpp"
+#include "statistics/difference.hpp"
 #include "statistics/run_means.hpp"
 
 namespace arenite::report {
@@ -93,7 +94,7 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const StudyTable& tab
           mapped(group.rows, [&](const Row* row) { return numbers(row->run, figure.curves[k], figure); });
       statistics::SampleMean mean = mean_of(figure, found, figure.curves[k]);
       if (figure.spread == Spread::deviation)
-        for (double& error : mean.error) error *= std::sqrt(static_cast<double>(mean.samples));
+        for (double& error : mean.error) error = statistics::deviation_of_samples(error, mean.samples);
       FigureCurve curve{.name = name_of(figure, group, k),
                         .points = mean,
                         .group = place,
@@ -116,8 +117,7 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const StudyTable& tab
 statistics::Estimate value_of(const StudyTable& table, const Row& row, const std::string& name) {
   const std::size_t slash = name.find('/');
   if (const double over = number_of(name.substr(0, slash)); slash != std::string::npos && std::isfinite(over)) {
-    const auto [value, error] = value_of(table, row, name.substr(slash + 1));
-    return {over / value, std::abs(over) * error / (value * value)};
+    return statistics::inverse_of(value_of(table, row, name.substr(slash + 1)), over);
   }
   if (const std::size_t k = index_of(table.keys, name); k < table.keys.size()) return {number_of(row.values[k])};
   const auto at = std::find(table.names.begin(), table.names.end(), name);
@@ -152,8 +152,9 @@ class MeanRows {
       const auto at = value_of(table, *row, figure.x), value = value_of(table, *row, y);
       if (!std::isfinite(at.value) || !std::isfinite(value.value)) continue;
       const std::size_t n = samples(*row, y);
-      const double scale = figure.spread == Spread::deviation ? std::sqrt(static_cast<double>(n)) : 1;
-      points.push_back({at.value, value.value, n > 1 ? scale * value.error : own_error(*row, y)});
+      const double scatter =
+          figure.spread == Spread::deviation ? statistics::deviation_of_samples(value.error, n) : value.error;
+      points.push_back({at.value, value.value, n > 1 ? scatter : own_error(*row, y)});
       curve.fewest = curve.fewest == 0 ? n : std::min(curve.fewest, n);
       curve.most = std::max(curve.most, n);
     }

@@ -53,5 +53,11 @@ TEST(Difference, OfEqualSamplesIsBeyondItsErrorAsOftenAsItIsTold) {
   EXPECT_NEAR(static_cast<double>(beyond), beyond_by_chance(pairs), 4 * 67 + 45);
 }
 
+TEST(Difference, TheInverseHasTheSameRelativeError) {
+  const Estimate inverse = inverse_of({-4, 0.5}, 10);
+  EXPECT_DOUBLE_EQ(inverse.value, -2.5);
+  EXPECT_DOUBLE_EQ(inverse.error, 2.5 * 0.125);
+}
+
 }  // namespace
 }  // namespace arenite::statistics

@@ -113,5 +113,23 @@ TEST(TailFit, IsUnknownWithoutATail) {
   EXPECT_FALSE(std::isfinite(fit_tail(same, counted(same), held).low));
 }
 
+TEST(CutExponential, HoldsItsShareBetweenItsEnds) {
+  const CutExponential tail{.rate = 2.5, .low = 0.8, .high = 3, .share = 0.2};
+  constexpr int steps = 2000;  // the midpoint rule is off by (rate step)^2/24, 3e-7
+  const double step = (tail.high - tail.low) / steps;
+  double sum = 0;
+  for (int k = 0; k < steps; ++k) sum += step * tail.at(tail.low + (k + 0.5) * step);
+  EXPECT_NEAR(sum, 0.2, 1e-6 * 0.2);
+  EXPECT_NEAR(tail.at(2) / tail.at(1), std::exp(-2.5), 1e-12);
+  EXPECT_FALSE(CutExponential{.rate = 1}.is_known());
+}
+
+TEST(FallBeyondMean, MeetsTheWeakLawAtTheMean) {
+  const FallBeyondMean strong{0.4, 1.2};
+  EXPECT_DOUBLE_EQ(strong.at(1), (WeakPowerLaw{0.4, 0.3}.at(1)));
+  EXPECT_NEAR(strong.at(strong.where(0.01)), 0.01, 1e-14);
+  EXPECT_FALSE(FallBeyondMean{.level = 0.4}.is_known());
+}
+
 }  // namespace
 }  // namespace arenite::statistics

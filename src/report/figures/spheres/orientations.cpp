@@ -9,6 +9,7 @@
 
 #include "grains/texture/spheres/hemisphere.hpp"
 #include "report/figures/roses.hpp"
+#include "statistics/sectors.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -17,10 +18,9 @@ namespace hemisphere = texture::spheres::hemisphere;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// Without a preferred direction each cell would have as many contacts.
 Hemisphere hemisphere_of(std::string name, const Numbers& set) {
   Hemisphere shown{.name = std::move(name), .count = estimate_at(set, "/contacts").value};
-  shown.values = scaled(reals_at(set, "/directions"), hemisphere::cells / shown.count);
+  shown.values = statistics::over_isotropic(reals_at(set, "/directions"), shown.count);
   shown.words = anisotropy_in_words(set);
   const std::vector<double> axis = reals_at(set, "/axis");
   if (axis.size() == 3 && estimate_at(set, "/a_c").value > estimate_at(set, "/a_c_noise").value) {
