@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "grains/fields/discharge.hpp"
 #include "statistics/numbers.hpp"
 #include "statistics/numbers_text.hpp"
 
@@ -48,19 +49,12 @@ void doubt_energy(const Numbers& stage, std::vector<std::string>& doubts) {
                   100 * balance["open"].get<double>()));
 }
 
-/// Above an opening that is wide beside its height a filling sinks in as it empties, and passes less than a silo would.
 void doubt_discharge(const Numbers& stage, std::vector<std::string>& doubts) {
-  constexpr double lowest = 2;  // openings
-  const auto number_at = [&](const char* path) {
-    const Numbers* node = stage.at_path(path);
-    return node && node->is_number() ? node->get<double>() : statistics::unknown;
-  };
-  const double filling = number_at("/surface/height_before_m") / number_at("/discharge/opening_m");
-  if (filling < lowest)
+  if (const auto filling = fields::too_low_filling(stage))
     doubts.push_back(
         fmt::format("the filling was {:.2g} openings high, too low for a rate that does not depend on it; take more "
                     "grains, a narrower container or a smaller opening",
-                    filling));
+                    *filling));
 }
 
 }  // namespace

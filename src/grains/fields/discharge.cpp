@@ -162,6 +162,16 @@ double narrowest_opening(const DomainIn<3>& domain) {
   return least.value_or(statistics::unknown);
 }
 
+std::optional<double> too_low_filling(const Numbers& stage) {
+  constexpr double lowest = 2;  // openings
+  const auto number_at = [&](const char* path) {
+    const Numbers* node = stage.at_path(path);
+    return node && node->is_number() ? node->get<double>() : statistics::unknown;
+  };
+  const double filling = number_at("/surface/height_before_m") / number_at("/discharge/opening_m");
+  return filling < lowest ? std::optional(filling) : std::nullopt;
+}
+
 template <int D> Numbers discharge_of(const StageResultIn<D>& result) {
   Numbers j = discharge_numbers(result.history);
   if (j.empty()) return j;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "model/packing.hpp"
@@ -49,6 +50,11 @@ double narrowest_opening(const Domain& domain);
 /// In space the narrowest opening in one of them: four times its area over the length of its rim, m, which is the
 /// diameter of a round one. Unknown where none has an opening.
 double narrowest_opening(const DomainIn<3>& domain);
+
+/// How many openings high the filling was, of a stage with these numbers, where that is too low for a rate that does
+/// not depend on it: above an opening that is wide beside its height a filling sinks in as it empties, and passes less
+/// than a silo would. Nothing of others.
+std::optional<double> too_low_filling(const Numbers& stage);
 
 /// The discharge of a stage of disks or spheres, with how wide the opening is that it goes through.
 template <int D> Numbers discharge_of(const StageResultIn<D>& result);

@@ -17,6 +17,14 @@ constexpr double scatter_of_front = 0.05;  // of a run-out: all weigh alike
 
 }  // namespace
 
+std::vector<statistics::Estimate> roots_of_rates(const Values& rate, const Values& error, double exponent) {
+  const double root = 1 / exponent;
+  std::vector<statistics::Estimate> roots;
+  for (std::size_t k = 0; k < rate.size(); ++k)
+    roots.push_back({std::pow(rate[k], root), root * error[k] * std::pow(rate[k], root - 1)});
+  return roots;
+}
+
 BeverlooLaw fit_beverloo(const Values& opening, const Values& rate, const Values& error,
                          std::optional<double> exponent) {
   if (opening.size() != rate.size() || rate.size() < 2)

@@ -19,7 +19,14 @@ struct BeverlooLaw {
   double at(double opening) const {
     return factor.value * std::pow(std::max(opening - lost_width.value, 0.0), exponent.value);
   }
+  /// The line that the rate's root is.
+  double root_at(double opening) const { return std::pow(at(opening), 1 / exponent.value); }
 };
+/// Exponent of the law in so many dimensions.
+constexpr double beverloo_exponent(int dimension) { return dimension == 3 ? 2.5 : 1.5; }
+/// Rates to the power 1/exponent, which the law makes a line of, with their errors.
+std::vector<statistics::Estimate> roots_of_rates(const std::vector<double>& rate, const std::vector<double>& error,
+                                                 double exponent);
 /// Of rates of discharge, kg/s, through openings, m. An exponent that is given has no error.
 BeverlooLaw fit_beverloo(const std::vector<double>& opening, const std::vector<double>& rate,
                          const std::vector<double>& error, std::optional<double> exponent = {});

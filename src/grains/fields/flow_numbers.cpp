@@ -177,10 +177,10 @@ template <int D> bool is_stopped(double front, const WallIn<D>& wall, double dia
 /// what one that a wall stopped would have gone is not known.
 template <int D>
 void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then, const PackingIn<D>& packing) {
-  const double to_right = now.right - then.right, to_left = then.left - now.left, way = std::max(to_right, to_left),
-               width = then.right - then.left, height = statistics::mean_of(then.height).value - then.bottom;
-  const bool stopped = to_right > to_left ? is_stopped(now.right, packing.domain.wall[right], now.diameter)
-                                          : is_stopped(now.left, packing.domain.wall[left], now.diameter);
+  const auto [to_right, way] = farther_front(then, now);
+  const double width = then.right - then.left, height = statistics::mean_of(then.height).value - then.bottom;
+  const bool stopped = to_right ? is_stopped(now.right, packing.domain.wall[right], now.diameter)
+                                : is_stopped(now.left, packing.domain.wall[left], now.diameter);
   const double error = stopped ? statistics::unknown : 0.5 * now.diameter;
   if (way > 0.5 * now.diameter) {
     j["runout_m"] = estimate(way, error, "m", "Displacement of the front that has moved farther");

@@ -208,6 +208,15 @@ template <int D> FreeSurface find_free_surface(const PackingIn<D>& packing, Vec2
 template FreeSurface find_free_surface(const Packing&, Vec2, double);
 template FreeSurface find_free_surface(const PackingIn<3>&, Vec2, double);
 
+double way_of_front(bool to_right, const FreeSurface& then, const FreeSurface& now) {
+  return to_right ? now.right - then.right : then.left - now.left;
+}
+
+Front farther_front(const FreeSurface& then, const FreeSurface& now) {
+  const double right = way_of_front(true, then, now), left = way_of_front(false, then, now);
+  return {right >= left, std::max(right, left)};
+}
+
 bool in_drum(const Domain& domain) {
   return std::ranges::any_of(domain.boundaries, [](const Boundary& b) { return b.present && b.closed && b.spin != 0; });
 }

@@ -35,6 +35,16 @@ struct FreeSurface {
 /// has no direction, there are no grains, and for a gap below 0.
 template <int D> FreeSurface find_free_surface(const PackingIn<D>& packing, Vec2 gravity, double gap = 0.1);
 
+/// A side of what hangs together, and how far its end has gone outwards.
+struct Front {
+  bool to_right = true;
+  double way = 0;  ///< m
+};
+/// The front that has gone farther from one moment to another.
+Front farther_front(const FreeSurface& then, const FreeSurface& now);
+/// How far a front has gone, m, whichever goes farther.
+double way_of_front(bool to_right, const FreeSurface& then, const FreeSurface& now);
+
 /// Whether a closed boundary turns, in space one about z: grains in a drum, which run out nowhere.
 bool in_drum(const Domain& domain);
 bool in_drum(const DomainIn<3>& domain);

@@ -13,6 +13,7 @@
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/laboratory/test_kind.hpp"
+#include "grains/fields/steady_state.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -75,11 +76,10 @@ std::optional<Surfaces> surfaces_of(const SphereResult& stage, fields::TestKind 
 
 /// The way of the front that has gone farther in the end, at every state.
 Series front_of(const std::vector<fields::FreeSurface>& surfaces, const Values& time, const fields::FreeSurface& then) {
-  const bool to_right = surfaces.back().right - then.right >= then.left - surfaces.back().left;
+  const bool to_right = fields::farther_front(then, surfaces.back()).to_right;
   return {.name = to_right ? "right front" : "left front",
           .x = time,
-          .y = mapped(surfaces,
-                      [&](const auto& s) { return 1e3 * (to_right ? s.right - then.right : then.left - s.left); }),
+          .y = mapped(surfaces, [&](const auto& s) { return 1e3 * fields::way_of_front(to_right, then, s); }),
           .line = Line::solid,
           .points = true};
 }
@@ -168,7 +168,7 @@ Drawings draw_surface_angle(const Surfaces& surfaces) {
               .y = {.label = "angle of the surface", .unit = "\u00b0", .brief = "angle"}};
   panel.now.x = angle.x;
   if (const auto mean = estimate_at(surfaces.texture, "/surface/mean_angle_deg"); std::isfinite(mean.value)) {
-    const double half = angle.x[angle.x.size() / 2];
+    const double half = fields::later_half(angle.x).front();
     panel.series.push_back({.colour = "accent",
                             .x = {half, angle.x.back()},
                             .y = {mean.value, mean.value},

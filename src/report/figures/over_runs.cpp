@@ -87,21 +87,20 @@ Drawings critical_states(const Tests& tests) {
                       {.label = "critical solid fraction \u03c6_{c}", .brief = "\u03c6_{c}"});
 }
 
-/// Numerator of Beverloo's exponent, over 2: 3 in the plane, 5 in space.
-int exponent_halves(const Tests& tests) { return std::holds_alternative<fields::Test>(tests.front()) ? 3 : 5; }
+int dimension_of(const Tests& tests) { return std::holds_alternative<fields::Test>(tests.front()) ? 2 : 3; }
 
 /// W^(2/3), or in space W^(2/5), which the law makes a line.
 Drawings beverloo(const Tests& tests) {
   const Columns found = fields::discharges(tests);
   if (is_empty(found)) return {};
-  const int halves = exponent_halves(tests);
-  const double exponent = 0.5 * halves, root = 1 / exponent;
+  const double exponent = fields::beverloo_exponent(dimension_of(tests));
+  const auto halves = std::lround(2 * exponent);
   const statistics::Column& rate = *found.find("rate");
-  Series series{.x = scaled(found["opening"], 1e3), .points = true};
-  for (std::size_t k = 0; k < rate.values.size(); ++k) {
-    series.y.push_back(std::pow(rate.values[k], root));
-    series.error.push_back(root * rate.error[k] * std::pow(rate.values[k], root - 1));
-  }
+  const auto roots = fields::roots_of_rates(rate.values, rate.error, exponent);
+  const Series series{.x = scaled(found["opening"], 1e3),
+                      .y = mapped(roots, &statistics::Estimate::value),
+                      .error = mapped(roots, &statistics::Estimate::error),
+                      .points = true};
   Panel panel{
       .x = {.label = "opening D", .unit = "mm", .brief = "D", .low = 0},
       .y = {.label = fmt::format("W^{{2/{}}}", halves), .unit = fmt::format("(kg/s)^{{2/{}}}", halves), .low = 0},
@@ -111,7 +110,7 @@ Drawings beverloo(const Tests& tests) {
     const auto law = fields::fit_beverloo(found["opening"], rate.values, rate.error, exponent);
     const std::string name = fmt::format("W = a (D \u2212 w)^{{{}/2}}", halves);
     panel.series.push_back(law_of(name, sampled(1e3 * law.lost_width.value, 1.05 * largest_in(panel.series[0].x),
-                                                [&](double d) { return std::pow(law.at(1e-3 * d), root); })));
+                                                [&](double d) { return law.root_at(1e-3 * d); })));
     drawing.key = {{name, "weak", {in_unit("w/mm", law.lost_width, 1e-3)}}};
   } else {
     drawing.note = too_few("Beverloo\u2019s law", rate.values.size());

@@ -48,5 +48,21 @@ TEST(FlowLaws, JanssensLawIsFoundAgain) {
   EXPECT_NEAR(length_by_stresses(width, friction, ratio).value, 0.08 / 0.64, 1e-12);
 }
 
+TEST(FlowLaws, RootsOfBeverloosRatesLieOnALine) {
+  for (const int dimension : {2, 3}) {
+    const double n = beverloo_exponent(dimension), relative = 1e-3;
+    std::vector<double> rate, error;
+    for (const double opening : {0.03, 0.04, 0.05}) {
+      rate.push_back(7 * std::pow(opening - 0.01, n));
+      error.push_back(relative * rate.back());
+    }
+    const auto roots = roots_of_rates(rate, error, n);
+    EXPECT_NEAR(roots[1].value - roots[0].value, roots[2].value - roots[1].value, 1e-12);
+    EXPECT_NEAR(roots[1].error / roots[1].value, relative / n, 1e-12);
+    const BeverlooLaw law{{7}, {0.01}, {n}};
+    EXPECT_NEAR(law.root_at(0.05), roots[2].value, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace arenite::fields

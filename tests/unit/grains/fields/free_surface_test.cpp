@@ -78,6 +78,15 @@ TEST(FreeSurface, HasNoAngleWhereItIsFlatAndRefusesWhatMakesNoSense) {
   EXPECT_THROW(find_free_surface(flat, down(), -0.1), InputError);
 }
 
+TEST(FreeSurface, TheFrontThatHasGoneFartherIsTold) {
+  const FreeSurface then = find_free_surface(heap(0.4, 0.12, 25 * slope_degree, 25 * slope_degree), down());
+  FreeSurface now = then;
+  now.left -= 0.02, now.right += 0.01;
+  EXPECT_FALSE(farther_front(then, now).to_right);
+  EXPECT_NEAR(farther_front(then, now).way, 0.02, 1e-12);
+  EXPECT_NEAR(way_of_front(true, then, now), 0.01, 1e-12);
+}
+
 /// The same heap of spheres, from the back to the front of a container of six diameters.
 PackingIn<3> ridge_of_spheres(double left_angle, double right_angle) {
   constexpr int deep = 6;
