@@ -1,10 +1,8 @@
 #include "report/field_document.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -19,6 +17,7 @@
 #include "report/page_document.hpp"
 #include "solid/grid/cavities.hpp"
 #include "solid/grid/cavity_statistics.hpp"
+#include "solid/grid/map_numbers.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/sample_means.hpp"
 #include "solid/stress/stress.hpp"
@@ -118,16 +117,11 @@ Numbers quantities_of(const FieldResult& result, const stress::SampleMeans& mean
   return all;
 }
 
-/// How a stress is told against the mean of the sample, and what "strong" is measured by, Pa: the largest mean of a
-/// component, which is the shear stress where the sample is sheared; 1 where there is none.
-void add_comparison(Numbers& out) {
+/// How a stress is told against the mean of the sample, and what "strong" is measured by, Pa.
+void add_comparison(Numbers& out, const stress::SampleMeans& means) {
   out["relative"] = {{"symbol", std::string(relative_stress.symbol)},
                      {"formula", std::string(relative_stress.formula)}};
-  double scale = 0;
-  for (const auto& [name, component] : std::as_const(out["components"]).items())
-    if (component["unit"] == Numbers("Pa") && component["mean"].is_known())
-      scale = std::fmax(scale, std::abs(component["mean"].get<double>()));
-  out["scale"] = scale > 0 ? scale : 1;
+  out["scale"] = means.scale();
 }
 
 /// Nodes, radii of disks of the same area, centres, mean stresses and extremes of all grains; no stresses without a
@@ -136,15 +130,13 @@ Numbers grains_of(const stress::GrainStresses& g, const FieldResult& result, Num
   const auto column = [&](const auto& rows, auto member, const char* unit) {
     return block.add_reals(mapped(rows, member), unit);
   };
-  const auto radius = [&](auto nodes) {
-    return std::sqrt(static_cast<double>(nodes) / std::numbers::pi) * result.map.dx;
-  };
+  const auto radius = [&](auto nodes) { return grid::radius_over(static_cast<double>(nodes)) * result.map.dx; };
   Numbers out{{"nodes", block.add_indices(g.nodes)},
               {"radius", block.add_reals(mapped(g.nodes, radius), "m")},
               {"x", column(g.centre, &Vec2::x, "m")},
               {"y", column(g.centre, &Vec2::y, "m")}};
   if (result.field.size() == 0) return out;
-  const auto [least, most] = extremes_of(result.map, result.field);
+  const auto [least, most] = stress::extremes_of(result.map, result.field);
   out.update({{"xx", column(g.stress, &Tensor2::xx, "Pa")},
               {"yy", column(g.stress, &Tensor2::yy, "Pa")},
               {"xy", column(g.stress, &Tensor2::xy, "Pa")},
@@ -191,24 +183,13 @@ Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::siz
               {"curve", history_of(r.curve, block)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::field_figures(), {r, densities}, write, true))}};
-  add_comparison(out);
+  add_comparison(out, means);
   add_numbers(out, r.numbers);
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;
 }
 
 }  // namespace
-
-GrainExtremes extremes_of(const PhaseMap& map, const StressField& field) {
-  std::vector<double> least(map.grain_class.size(), statistics::unknown), most = least;
-  for (std::size_t k = 0; k < field.size(); ++k) {
-    if (map.grain[k] < 0) continue;
-    const auto g = static_cast<std::size_t>(map.grain[k]);
-    least[g] = std::fmin(least[g], field.yy[k]);
-    most[g] = std::fmax(most[g], field.yy[k]);
-  }
-  return {std::move(least), std::move(most)};
-}
 
 Thinning::Thinning(const PhaseMap& map, std::size_t most) {
   const auto left = [](int nodes, int by) { return std::max(1, nodes / by); };

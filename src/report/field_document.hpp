@@ -24,12 +24,6 @@ struct Thinning {
   }
 };
 
-/// sigma_yy at the nodes of each grain, Pa, of the whole map; no number where a grain has none.
-struct GrainExtremes {
-  std::vector<double> least, most;
-};
-GrainExtremes extremes_of(const PhaseMap& map, const StressField& field);
-
 /// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document. Densities of stresses that
 /// are not known are measured as those in the result's numbers were; all components are shown, whichever these name.
 void add_fields(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write);

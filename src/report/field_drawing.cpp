@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "model/field_quantities.hpp"
 #include "model/kinds.hpp"
+#include "solid/grid/map_numbers.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/sample_means.hpp"
 
@@ -44,7 +44,7 @@ View about_middle_grain(const PhaseMap& map) {
     const double away = norm(centre - 0.5 * Vec2{static_cast<double>(map.width), static_cast<double>(map.height)});
     if (grains.nodes[g] == 0 || (classes && map.grain_class[g] != GrainClass::large) || away >= least) continue;
     middle = centre;
-    radius = std::sqrt(static_cast<double>(grains.nodes[g]) / std::numbers::pi);
+    radius = grid::radius_over(static_cast<double>(grains.nodes[g]));
     least = away;
   }
   if (radius == 0) throw InputError("the sample has no grain to draw");

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -154,7 +153,7 @@ FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {
   const double nodes_per_grain = grains > 0 && particle > 0 ? static_cast<double>(particle) / grains : 1;
   FieldResult sample;
   sample.name = "map";
-  sample.numbers = grid::map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
+  sample.numbers = grid::map_numbers(map, rules, map.dx * grid::radius_over(nodes_per_grain));
   sample.map = std::move(map);
   return sample;
 }

@@ -8,6 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "model/kinds.hpp"
+#include "solid/peridynamics/measures.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -53,16 +54,11 @@ Drawings broken_bonds(const FieldData& data) {
     Series series{.name = std::string(crack_types[type]),
                   .colour = colour,
                   .x = steps_of(data),
+                  .y = peridynamics::broken_after_steps(data.broken, *broken, type),
                   .line = Line::solid,
                   .steps = true};
-    std::size_t k = 0;
-    double count = 0;
-    for (const double until : *broken) {
-      for (; k < data.broken.size() && static_cast<double>(k) < until; ++k) count += data.broken[k] == type ? 1 : 0;
-      series.y.push_back(count);
-    }
     if (data.has_steps) drawing.key.push_back({series.name, colour, {}, Line::solid, type - 1});
-    else drawing.key.push_back({series.name + " " + counted(count), colour, {}, Line::solid});
+    else drawing.key.push_back({series.name + " " + counted(series.y.back()), colour, {}, Line::solid});
     panel.series.push_back(std::move(series));
   }
   drawing.panels = {panel};

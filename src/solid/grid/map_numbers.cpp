@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "solid/grid/cavities.hpp"
@@ -9,6 +11,9 @@
 #include "solid/grid/rasterise_spheres.hpp"
 
 namespace arenite::grid {
+
+double radius_over(double nodes) { return std::sqrt(nodes / std::numbers::pi); }
+
 namespace {
 
 using statistics::described;

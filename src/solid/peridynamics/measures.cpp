@@ -11,6 +11,18 @@ std::array<std::size_t, 4> broken_by_type(const std::vector<BrokenBond>& broken)
   return count;
 }
 
+std::vector<double> broken_after_steps(const std::vector<std::uint8_t>& types, const std::vector<double>& of_any_type,
+                                       int type) {
+  std::vector<double> broken;
+  std::size_t k = 0;
+  double count = 0;
+  for (const double until : of_any_type) {
+    for (; k < types.size() && static_cast<double>(k) < until; ++k) count += types[k] == type ? 1 : 0;
+    broken.push_back(count);
+  }
+  return broken;
+}
+
 std::optional<double> strain_at_strength(const FailureRecord& test) {
   std::optional<double> strain;
   for (const DamageState& state : test.curve)

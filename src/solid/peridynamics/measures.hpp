@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,11 @@ inline constexpr double lattice_poisson = 1.0 / 3;
 
 /// How many of the broken bonds are of each BondType.
 std::array<std::size_t, 4> broken_by_type(const std::vector<BrokenBond>& broken);
+
+/// Of bonds that broke one after the other, by their types: how many of one type are broken after each step, up to
+/// which so many of any type are.
+std::vector<double> broken_after_steps(const std::vector<std::uint8_t>& types, const std::vector<double>& of_any_type,
+                                       int type);
 
 /// Strain at which the stress was largest, the last if it was so more than once; nothing where nothing carried.
 std::optional<double> strain_at_strength(const FailureRecord& test);

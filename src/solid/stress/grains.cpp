@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
@@ -111,6 +112,17 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
   for (const auto& [name, items] : grains_by_class(map, [&](std::size_t g) { return grains.whole[g] != 0; }))
     grains.mean.emplace_back(name, mean_tensor(items, blocks, grains.stress));
   return grains;
+}
+
+GrainExtremes extremes_of(const PhaseMap& map, const StressField& field) {
+  std::vector<double> least(map.grain_class.size(), statistics::unknown), most = least;
+  for (std::size_t k = 0; k < field.size(); ++k) {
+    if (map.grain[k] < 0) continue;
+    const auto g = static_cast<std::size_t>(map.grain[k]);
+    least[g] = std::fmin(least[g], field.yy[k]);
+    most[g] = std::fmax(most[g], field.yy[k]);
+  }
+  return {std::move(least), std::move(most)};
 }
 
 Numbers numbers(const GrainStresses& g) {

@@ -21,6 +21,12 @@ struct GrainStresses {
 /// Without a field (of size 0) nodes and centres alone are known.
 GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int columns);
 
+/// sigma_yy at the nodes of each grain, Pa, of the whole map; no number where a grain has none.
+struct GrainExtremes {
+  std::vector<double> least, most;
+};
+GrainExtremes extremes_of(const PhaseMap& map, const StressField& field);
+
 /// How many are whole, the means, and the rows by grain.
 Numbers numbers(const GrainStresses& grains);
 

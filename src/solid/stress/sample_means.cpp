@@ -1,6 +1,7 @@
 #include "solid/stress/sample_means.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -61,6 +62,14 @@ double SampleMeans::of(const FieldQuantity& quantity) const {
     for (const double area : nodes_->block_area) nodes += area;
   }
   return nodes > 0 ? sum / nodes : statistics::unknown;
+}
+
+double SampleMeans::scale() const {
+  double largest = 0;
+  for (const FieldQuantity& quantity : field_quantities())
+    if (quantity.is_stored() && quantity.unit == "Pa" && has(sample_.field, quantity))
+      largest = std::fmax(largest, std::abs(of(quantity)));
+  return largest > 0 ? largest : 1;
 }
 
 double sample_mean(const VoxelResult& sample, const VoxelQuantity& quantity) {

@@ -19,6 +19,9 @@ class SampleMeans {
   /// The sample has to outlive it.
   explicit SampleMeans(const FieldResult& sample) : sample_(sample) {}
   double of(const FieldQuantity& quantity) const;  ///< not a number where the field has it not
+  /// What a strong stress is measured by, Pa: the largest size of a component's mean, which is that of the shear stress
+  /// where the sample is sheared; 1 where there is none.
+  double scale() const;
 
  private:
   const FieldResult& sample_;

@@ -182,7 +182,7 @@ TEST(FieldDocument, ExtremesOfAGrainAreThoseOfAllItsNodesWhicheverThePageShows) 
   ASSERT_EQ(shown.stride, 2);
   field.yy[0] = -9, field.yy[1] = 5, field.yy[15] = 3;
   for (const double value : shown.of(field.yy)) EXPECT_GT(value, -9);
-  const report::GrainExtremes extremes = report::extremes_of(map, field);
+  const stress::GrainExtremes extremes = stress::extremes_of(map, field);
   EXPECT_EQ(extremes.least[0], -9);
   EXPECT_EQ(extremes.most[0], 5);
   EXPECT_EQ(extremes.most[1], 3);

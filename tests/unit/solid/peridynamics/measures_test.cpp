@@ -80,5 +80,12 @@ TEST(JoinedThroughVoidsOnly, WhereACrackIsThinnerThanBondsAreLong) {
   EXPECT_FALSE(joined_through_voids_only(parted(2, true)));
 }
 
+TEST(BrokenAfterSteps, CountsThoseOfOneTypeUpToEachStep) {
+  const std::vector<std::uint8_t> types{1, 1, 2, 1, 3};
+  const std::vector<double> of_any_type{0, 2, 3, 3, 5};
+  EXPECT_EQ(broken_after_steps(types, of_any_type, 1), (std::vector<double>{0, 2, 2, 2, 3}));
+  EXPECT_EQ(broken_after_steps(types, of_any_type, 3), (std::vector<double>{0, 0, 0, 0, 1}));
+}
+
 }  // namespace
 }  // namespace arenite::peridynamics
