@@ -7,8 +7,8 @@
 
 #include "core/hash.hpp"
 #include "core/problems.hpp"
+#include "grains/fields/regime/coming_to_rest.hpp"
 #include "grains/fields/regime/prediction.hpp"
-#include "grains/fields/regime/stage_steps.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "grains/dem/laws/laws.hpp"
 #include "grains/dem/parameters.hpp"
@@ -97,5 +98,13 @@ struct Pressures {
 /// `pressures` are those that the stage before left, and then its own; `steady_drag`, 1/s, acts in every stage.
 StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
                               const dem::Stage& stage, Bulk& bulk, Pressures& pressures);
+
+/// What is legal, but costly or unphysical, a sentence each: about a time step, s, and what limits it beside the
+/// shortest collision.
+std::vector<std::string> doubts_about_step(double time_step, StepLimit limit, const ShortestCollision& collision,
+                                           const dem::ContactParameters& contact);
+
+/// About a stage that is predicted.
+std::vector<std::string> doubts_about(const StagePrediction& prediction, const dem::Stage& stage);
 
 }  // namespace arenite::fields
