@@ -33,20 +33,32 @@ CellSums::CellSums(const Voxels& elements, const Aggregates& cut, const std::vec
       weights_[static_cast<std::size_t>(at)][k] = weight;
     }
   weights_.back()[0] = 1;
-  const statics::HatTableIn<3> hats(side_);
-  for (unsigned across = 0; across < 8; ++across)
-    for (int k = 0; k < places(across, 2); ++k)
-      for (int j = 0; j < places(across, 1); ++j)
-        for (int i = 0; i < places(across, 0); ++i)
-          each_cell(across, [&](unsigned reached) {
-            Part<3>& part = parts_[across].emplace_back();
-            part.clear();
-            for (int c = 0; c < 8; ++c)
-              if ((static_cast<unsigned>(c) & across) == reached)
-                part.add(hats.at(place_at(across, 0, i) + (c & 1), place_at(across, 1, j) + (c >> 1 & 1),
-                                 place_at(across, 2, k) + (c >> 2)),
-                         c, false);
-          });
+  const auto hats = [&](int node) {
+    const double share = node / static_cast<double>(side_);
+    return std::array{1 - share, share};
+  };
+  using Ends = std::array<double, 2>;  // of a hat, or of the part of it that is in one cell
+  const auto along = [](const Ends& end, bool changes) { return changes ? end[1] - end[0] : end[1] + end[0]; };
+  const auto put = [&](AxisProducts& products, std::size_t place, const auto& of_p, const auto& of_q) {
+    for (std::size_t modes = 0; modes < 4; ++modes)
+      for (std::size_t a = 0; a < 2; ++a)
+        for (std::size_t b = 0; b < 2; ++b)
+          products.at[modes][place][2 * a + b] = along(of_p[a], modes >> 1 & 1) * along(of_q[b], modes & 1);
+  };
+  inside_.places = static_cast<int>(places_.size());
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const auto low = hats(places_[k]), high = hats(places_[k] + 1);
+    const std::array of{Ends{low[0], high[0]}, Ends{low[1], high[1]}};
+    put(inside_, k, of, of);
+  }
+  const auto last_hats = hats(side_ - 1);
+  const std::array<std::array<Ends, 2>, 2> side{{{Ends{last_hats[0], 0}, Ends{last_hats[1], 0}}, {Ends{0, 1}, {}}}};
+  for (std::size_t p = 0; p < 2; ++p)
+    for (std::size_t q = 0; q < 2; ++q) {
+      AxisProducts& products = across_[2 * p + q];
+      put(products, 0, side[p], side[q]);
+      products.of_p = p ? 1 : 2, products.of_q = q ? 1 : 2;
+    }
 }
 
 CellSums::Found CellSums::count_of(std::vector<Count>& counts, unsigned across, const Side& left, const Side& right) {
@@ -58,30 +70,33 @@ CellSums::Found CellSums::count_of(std::vector<Count>& counts, unsigned across, 
   return {counts.back()};
 }
 
+CellShares CellSums::shares_of(const Count& count) const {
+  constexpr std::array members{&Modes<3>::axial, &Modes<3>::cross,  &Modes<3>::shear,
+                               &Modes<3>::along, &Modes<3>::across, &Modes<3>::trilinear};
+  CellShares shares{};
+  for (std::size_t place = 0; place < shares.at[0].size(); ++place) {
+    for (std::size_t k = 0; k < members.size(); ++k)
+      for (const Kind kind : solid_kinds)
+        shares.at[k][place] += elements_.modes[kind].*members[k] * count.at[kind - 1][place];
+    shares.at[CellShares::third_shear][place] = shares.at[CellShares::shear][place] / 3.0;
+    shares.at[CellShares::two_thirds_shear][place] = 2.0 * shares.at[CellShares::third_shear][place];
+  }
+  return shares;
+}
+
 void CellSums::work_out(const Count& count, statics::CouplingSumIn<3>& sum) const {
-  std::vector<Modes<3>> modes;
-  for (int k = 0; k < places(count.across, 2); ++k)
-    for (int j = 0; j < places(count.across, 1); ++j)
-      for (int i = 0; i < places(count.across, 0); ++i) {
-        Modes<3>& here = modes.emplace_back();
-        for (const Kind kind : solid_kinds)
-          for (const auto mode : Modes<3>::members)
-            here.*mode +=
-                count.at[kind - 1][static_cast<std::size_t>(most_places * k + j)][i] * elements_.modes[kind].*mode;
-      }
-  const std::vector<Part<3>>& parts = parts_[count.across];
-  const std::size_t reached = parts.size() / modes.size();
-  std::array<std::int32_t, 8> owner{};
-  std::size_t n = 0;
-  each_cell(count.across, [&](unsigned k) { owner[n++] = count.labels[k]; });
-  for (std::size_t a = 0; a < reached; ++a)
-    for (std::size_t b = a; b < reached; ++b) {
-      const bool swap = owner[b] < owner[a];
-      const std::size_t low = swap ? b : a, high = swap ? a : b;
-      statics::CouplingIn<3>& to = sum.between(owner[low], owner[high]);
-      for (std::size_t k = 0; k < modes.size(); ++k)
-        if (modes[k].shear != 0) couple_(modes[k], parts[k * reached + low], parts[k * reached + high], to);
-    }
+  const CellShares shares = shares_of(count);
+  each_cell(count.across, [&](unsigned a) {
+    each_cell(count.across, [&](unsigned b) {
+      if (b < a) return;
+      const bool swap = count.labels[b] < count.labels[a];
+      const unsigned low = swap ? b : a, high = swap ? a : b;
+      CellProducts products;
+      for (unsigned axis = 0; axis < 3; ++axis)
+        products[axis] = count.across >> axis & 1 ? &across_[2 * (low >> axis & 1) + (high >> axis & 1)] : &inside_;
+      couple_(shares, products, sum.between(count.labels[low], count.labels[high]));
+    });
+  });
 }
 
 }  // namespace arenite::elements

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solid/elements/cell_products.hpp"
 #include "solid/elements/couplings.hpp"
 #include "solid/elements/kernels/kernels.hpp"
 
@@ -12,7 +13,7 @@ namespace arenite::elements {
 /// Galerkin sums of the elements in space that no grain's surface cuts: in each coarse cell that such an element
 /// reaches into all of its corners are of one aggregate. What it couples is then a polynomial of second degree in its
 /// place in the cell along every axis along which it lies inside. So elements of one kind and the same aggregates are
-/// counted at three places along these axes, with Lagrange's weights, and worked out there.
+/// counted at three places along these axes, with Lagrange's weights, and worked out there, axis by axis.
 class CellSums {
  public:
   CellSums(const Voxels& elements, const Aggregates& cut, const std::vector<std::uint8_t>& prescribed);
@@ -27,9 +28,9 @@ class CellSums {
   }
 
  private:
-  static constexpr int most_places = 3;
+  static constexpr int most_places = CellShares::most_places;
   using Labels = std::array<std::int32_t, 8>;  ///< aggregates of the corners
-  using Weights = Vector<double, 4>;           ///< of three places along x
+  using Weights = CellShares::Weights;
 
   /// How many elements of each kind there are with these aggregates, at each of the places.
   struct Count {
@@ -82,17 +83,12 @@ class CellSums {
     }
   };
   static Found count_of(std::vector<Count>& counts, unsigned across, const Side& left, const Side& right);
+  CellShares shares_of(const Count& count) const;
   void work_out(const Count& count, statics::CouplingSumIn<3>& sum) const;
   bool leaves_along(std::size_t axis, int at) const {
     return elements_.grid.periodic && at + 1 == elements_.cells[axis];
   }
   std::size_t place(int at) const { return static_cast<std::size_t>(at % side_); }
-
-  /// How many places stand for those along an axis, and which they are.
-  int places(unsigned across, int axis) const { return across >> axis & 1 ? 1 : static_cast<int>(places_.size()); }
-  int place_at(unsigned across, int axis, int k) const {
-    return across >> axis & 1 ? side_ - 1 : places_[static_cast<std::size_t>(k)];
-  }
 
   const Voxels& elements_;
   const std::int32_t* of_node_;
@@ -100,9 +96,10 @@ class CellSums {
   int side_;
   std::vector<std::uint8_t> slides_;  ///< by layer of elements
   std::vector<int> places_;
-  std::vector<Weights> weights_;               ///< of every place in a cell
-  std::array<std::vector<Part<3>>, 8> parts_;  ///< [across]: of every place, one for each cell reached into
-  CouplingKernel<3> couple_ = coupling_kernel<3>();
+  std::vector<Weights> weights_;        ///< of every place in a cell
+  AxisProducts inside_;                 ///< of one cell with itself
+  std::array<AxisProducts, 4> across_;  ///< along an axis along which elements reach into the next cell, with it or not
+  CellKernel couple_ = cell_kernel();
 };
 
 }  // namespace arenite::elements

@@ -45,7 +45,8 @@ template <class T, int n> ARENITE_INLINE Lanes<T, n> multiply_add(Lanes<T, n> a,
 /// What the energy of an element changes by with each amplitude: the energy is half the sum of the products.
 template <class C, class N> ARENITE_INLINE Amplitudes<2, N> work_of(const ModesOf<2, C>& m, const Amplitudes<2, N>& a) {
   const auto &u = a.at[0], &v = a.at[1];
-  Amplitudes<2, N> p{};
+  Amplitudes<2, N> p;
+  p.at[0][0] = p.at[1][0] = N{};
   p.at[0][mode_x] = multiply_add(m.axial, u[mode_x], m.cross * v[mode_y]);
   p.at[1][mode_y] = multiply_add(m.axial, v[mode_y], m.cross * u[mode_x]);
   p.at[0][mode_y] = p.at[1][mode_x] = m.shear * (u[mode_y] + v[mode_x]);
@@ -55,7 +56,8 @@ template <class C, class N> ARENITE_INLINE Amplitudes<2, N> work_of(const ModesO
 }
 template <class C, class N> ARENITE_INLINE Amplitudes<3, N> work_of(const ModesOf<3, C>& m, const Amplitudes<3, N>& a) {
   const auto &u = a.at[0], &v = a.at[1], &w = a.at[2];
-  Amplitudes<3, N> p{};
+  Amplitudes<3, N> p;
+  p.at[0][0] = p.at[1][0] = p.at[2][0] = N{};
   p.at[0][mode_x] = multiply_add(m.axial, u[mode_x], m.cross * (v[mode_y] + w[mode_z]));
   p.at[1][mode_y] = multiply_add(m.axial, v[mode_y], m.cross * (w[mode_z] + u[mode_x]));
   p.at[2][mode_z] = multiply_add(m.axial, w[mode_z], m.cross * (u[mode_x] + v[mode_y]));

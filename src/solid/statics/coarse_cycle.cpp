@@ -152,17 +152,26 @@ template <int D> void CoarseCycle<D>::cut(const BlockMatrix& matrix, const std::
 template <int D> BlockMatrix CoarseCycle<D>::product(const BlockMatrix& matrix) const {
   std::vector<std::unordered_map<std::int32_t, std::array<double, D * D>>> columns(
       static_cast<std::size_t>(functions_));
+  // Blocks that follow each other mostly have the same functions: these are looked up once.
+  constexpr std::size_t functions = 1 << D;
+  using Functions = std::array<std::int32_t, functions>;
+  const Functions *latest_r = nullptr, *latest_c = nullptr;
+  std::array<std::array<double*, functions>, functions> found{};
   each_block(matrix, [&](std::int32_t r, std::int32_t c, const double* block) {
     const auto ur = static_cast<std::size_t>(r), uc = static_cast<std::size_t>(c);
-    for (std::size_t a = 0; a < weight_[ur].size(); ++a)
-      for (std::size_t b = 0; b < weight_[uc].size(); ++b) {
+    const Functions &of_r = function_[ur], &of_c = function_[uc];
+    if (!latest_r || *latest_r != of_r || *latest_c != of_c) found = {};
+    latest_r = &of_r, latest_c = &of_c;
+    for (std::size_t a = 0; a < functions; ++a)
+      for (std::size_t b = 0; b < functions; ++b) {
         const double w = static_cast<double>(weight_[ur][a]) * static_cast<double>(weight_[uc][b]);
         if (w == 0) continue;
-        const std::int32_t m = function_[ur][a], n = function_[uc][b];
+        const std::int32_t m = of_r[a], n = of_c[b];
         // A block on the diagonal has all pairs of functions, so that those above it are left out; a block off the
         // diagonal stands for its mirror image too.
         if (r == c && m < n) continue;
-        auto& to = columns[static_cast<std::size_t>(std::min(m, n))][std::max(m, n)];
+        double*& to = found[a][b];
+        if (!to) to = columns[static_cast<std::size_t>(std::min(m, n))][std::max(m, n)].data();
         for (std::size_t s = 0; s < D; ++s)
           for (std::size_t q = 0; q < D; ++q) {
             const double straight = block[s * D + q], turned = block[q * D + s];

@@ -64,12 +64,14 @@ template <int D> void CoarseMatrix<D>::add_product(const std::vector<Four>& x, S
   Four* const y = stretch.sum.data() - stretch.first;
   const float* block = &value_[D * D * static_cast<std::size_t>(column_begin_[stretch.first])];
   for (std::size_t c = stretch.first; c < stretch.end; ++c) {
-    Four own[D] = {};
-    const Four at = x[c];
+    Four own[D] = {}, at[D];
+#pragma GCC unroll 3
+    for (int s = 0; s < D; ++s) at[s] = x[c][s] - Four{};
     for (std::int32_t j = column_begin_[c]; j < column_begin_[c + 1]; ++j, block += D * D) {
       const auto r = static_cast<std::size_t>(row_[static_cast<std::size_t>(j)]);
       const Four there = r == c ? Four{} : x[r];
       Four sum = y[r];
+#pragma GCC unroll 3
       for (int s = 0; s < D; ++s) {
         const Four of = column(block + s * D);
         sum += of * at[s];
@@ -77,6 +79,7 @@ template <int D> void CoarseMatrix<D>::add_product(const std::vector<Four>& x, S
       }
       y[r] = sum;
     }
+#pragma GCC unroll 3
     for (int s = 0; s < D; ++s) y[c][s] += (own[s][0] + own[s][1]) + own[s][2];
   }
 }

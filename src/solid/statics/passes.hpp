@@ -99,16 +99,13 @@ template <class Sweep> struct Passes {
   }
   /// The inverse blocks of some nodes times v.
   template <class V> ARENITE_INLINE static Vector<V> solved(const Inverse& inverse, std::ptrdiff_t i, Vector<V> v) {
-    Symmetric<dimension, V> block{};
-    by_component<dimension>([&](int a) {
-      by_component<dimension>([&](int b) {
-        if (a <= b) block(a, b) = V::load(inverse(a, b) + i);
+    Vector<V> product;
+    by_component<dimension>([&](int a) __attribute__((always_inline)) {
+      const auto block = [&](int b) __attribute__((always_inline)) { return V::load(inverse(a, b) + i); };
+      product[a] = block(dimension - 1) * v[dimension - 1];
+      by_component_down<dimension - 1>([&](int b) __attribute__((always_inline)) {
+        product[a] = fma(block(b), v[b], product[a]);
       });
-    });
-    Vector<V> product{};
-    by_component<dimension>([&](int a) {
-      product[a] = block(a, dimension - 1) * v[dimension - 1];
-      by_component_down<dimension - 1>([&](int b) { product[a] = fma(block(a, b), v[b], product[a]); });
     });
     return product;
   }

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "core/lanes.hpp"
+#include "solid/elements/kernels/couple_cell.hpp"
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/elements/modes.hpp"
 #include "solid/statics/couplings.hpp"
@@ -27,9 +28,9 @@ template <int D> void couple(const Modes<D>& m, const Part<D>& p, const Part<D>&
   constexpr int corners = statics::corners<D>;
   using V = Lanes<double, std::min<int>(corners, statics::Machine::bytes / 8)>;
   const auto modes = in_lanes<V>(m);
-  for (int b = 0; b < D; ++b)
+  Amplitudes<D, V> moved{};
+  for (int b = 0; b < D; ++b) {
     for (int hats = 0; hats < corners; hats += V::lanes) {
-      Amplitudes<D, V> moved{};
       for (int mode = 1; mode < mode_count<D>; ++mode) moved.at[b][mode] = V::load(&q.of(b)[mode][hats]);
       const Amplitudes<D, V> work = work_of(modes, moved);
       for (int a = 0; a < D; ++a) {
@@ -51,11 +52,14 @@ template <int D> void couple(const Modes<D>& m, const Part<D>& p, const Part<D>&
         }
       }
     }
+    for (int mode = 1; mode < mode_count<D>; ++mode) moved.at[b][mode] = V(0.0);
+  }
 }
 
 /// All of this for the machine that the source is compiled for.
 template <int D, class Sweep> constexpr Compiled<D> compiled() {
-  return {statics::Machine::name, statics::Passes<Sweep>::table(statics::Machine::name), couple<D>};
+  return {statics::Machine::name, statics::Passes<Sweep>::table(statics::Machine::name), couple<D>,
+          D > 2 ? couple_cell : nullptr};
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include "solid/elements/cell_products.hpp"
 #include "solid/elements/couplings.hpp"
 #include "solid/elements/elements.hpp"
 #include "solid/statics/discretisation.hpp"
@@ -22,6 +23,7 @@ template <int D> struct Compiled {
   const char* name;
   KernelsIn<D> passes;
   CouplingKernel<D> couple;
+  CellKernel couple_cell;  ///< in space
 };
 extern const Compiled<2> avx2_plane, avx512_plane;
 extern const Compiled<3> avx2_space, avx512_space;

@@ -26,6 +26,7 @@ template <int D> const KernelsIn<D>* kernels_named(const char* name) {
 }
 template <int D> const KernelsIn<D>& kernels_of(const ElementsIn<D>&) { return best<D>().passes; }
 template <int D> CouplingKernel<D> coupling_kernel() { return best<D>().couple; }
+CellKernel cell_kernel() { return best<3>().couple_cell; }
 
 template const KernelsIn<2>* kernels_named<2>(const char* name);
 template const KernelsIn<3>* kernels_named<3>(const char* name);
