@@ -174,9 +174,9 @@ std::optional<StatedUnits> common_units(const std::optional<StatedUnits>& of_gra
 }
 
 /// A vector whose components are columns of these names; those that are not there are 0.
-struct VectorColumns {
+struct DumpedVector {
   std::array<std::optional<std::size_t>, 3> at;
-  VectorColumns(const Table& table, std::array<const char*, 3> names) {
+  DumpedVector(const Table& table, std::array<const char*, 3> names) {
     for (std::size_t k = 0; k < 3; ++k) at[k] = table.find({names[k]});
   }
   bool has(const std::vector<int>& axes) const {
@@ -206,8 +206,8 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   name_columns(entries, given.empty() ? titles : split_blanks(given));
   if (given.empty()) name_opaque_columns(entries, grains, contacts.notes);
   const auto i = entries.find({"patom1", "i"}), j = entries.find({"patom2", "j"}), overlap = entries.find({"overlap"});
-  const VectorColumns normal(entries, {"fx", "fy", "fz"}), tangential(entries, {"p1", "p2", "p3"});
-  const VectorColumns direction(entries, {"nx", "ny", "nz"}), point(entries, {"cx", "cy", "cz"});
+  const DumpedVector normal(entries, {"fx", "fy", "fz"}), tangential(entries, {"p1", "p2", "p3"});
+  const DumpedVector direction(entries, {"nx", "ny", "nz"}), point(entries, {"cx", "cy", "cz"});
   // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the
   // tangential.
   const auto axes = grains.axes();
