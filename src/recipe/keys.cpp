@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
@@ -154,8 +155,12 @@ void declare_shape(Visitor& v, Population& population, int dimension) {
                 "Shape of the grains; the diameter of a grain that is not a disk is that of the disk of equal area. In "
                 "space all are spheres."};
   if (dimension != 3) return v.member(key, population.shape);
-  int sphere = 0;
-  v.choice(key, sphere, {{"sphere", "a sphere", disk}, {disk, "the same"}});
+  std::vector<Word> words{{"sphere", "a sphere", disk}};
+  [&]<class... Shape>(const packing::GrainShapes<Shape...>&) { (words.push_back(Shape::word), ...); }(population.shape);
+  int chosen = 0;
+  v.choice(key, chosen, words);
+  v.require(chosen <= 1, {key.name},
+            "there are no clumps and no polygons in space; leave that out, or take dimension = 2");
 }
 
 }  // namespace
