@@ -97,6 +97,7 @@ Judgement judge_p1(const Results& results) {
               densest(rho),
               every("spread of rho_p over theta at a gamma below 5 minus that at 5", "theta matters little",
                     excess_spreads(rho), {.high = 0})};
+  draw_packings_alone(j);
   j.ours = ends_in_text(rho, "rho_p");
   if (const Value asked = of_pair(pair_means(samples, "volume_ratio"), 5, 6); std::isfinite(asked.value))
     j.findings.push_back(
@@ -137,6 +138,7 @@ Judgement judge_p2(const Results& results) {
             by_theta(z_s, [&](double theta) { return dip(z_s, theta).rise; }), {.low = 0}),
       every("Z_ll for theta <= 1.6 and gamma >= 2.5, or theta 2.2 and gamma 5", "< 1", members(few_large), {.high = 1}),
       number(every("Z_ll for theta <= 2.2 and gamma > 2", "< 1", members(as_stated), {.high = 1}))};
+  draw_packings_alone(j);
   if (!z_l.empty()) j.ours = ends_in_text(z_l, "Z_l") + ", " + ends_in_text(z_s, "Z_s");
   add_choices_p2(j, results);
   return j;

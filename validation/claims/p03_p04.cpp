@@ -56,6 +56,7 @@ Judgement judge_p3(const Results& results) {
               with_gamma("the mean pore volume", "falls", mean, -1),
               with_gamma("its standard deviation", "falls", deviation, -1),
               with_gamma("pore volume at the peak of the pdf", "falls", peak, -1)};
+  draw_packings_alone(j);
   add_choices(j, results, "R^2 of the mean pore volume against 1/gamma, theta 6", of_pores("pores.mean"),
               wanted_above(0.98));
   add_choices(j, results, "R^2 of its standard deviation against 1/gamma, theta 6", of_pores("pores.deviation"),

@@ -43,6 +43,13 @@ double mean_without(const PairMean& pair, const std::string& name) {
 
 }  // namespace
 
+void draw_packings_alone(Judgement& judgement) {
+  for (Check& check : judgement.checks) {
+    if (check.draws.empty()) check.draws.push_back({"paper", {}});
+    for (Draw& draw : check.draws) draw.where.emplace_back("cement.kind", "full");
+  }
+}
+
 Check in_range(const std::string& what, const std::string& source, const PairMeans& means, double low, double high) {
   return every(what, source, members(means), {low, high});
 }

@@ -23,6 +23,9 @@ Value straightness(const PairMeans& means, double theta, Against against);
 /// At least 0.98 at every theta.
 Check straight(const std::string& what, const std::string& source, const PairMeans& means, Against against);
 
+/// Further seeds of claims on packings are those of the full sample alone: what cements a packing does not change it.
+void draw_packings_alone(Judgement& judgement);
+
 /// How a number goes with gamma at one theta that first falls and then rises: its mean at the least gamma, and at the
 /// greatest, over that at the lowest point. Where that lies is found without the sample that is looked at, since the
 /// lowest of several noisy means lies below the true ones.

@@ -1,7 +1,12 @@
 // Claims of the paper by made-up tables in which they are true, false, or not to be told.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "unit/validation/made_up_table.hpp"
 #include "validation/claims/claims.hpp"
@@ -41,6 +46,19 @@ TEST(ShapeOfThePdf, IsATrendAndNotTheLastAgainstTheGreatestOfTheOthers) {
   EXPECT_EQ(shape(-0.02, 0.02, 0.05).verdict(), Verdict::not_reproduced);
   EXPECT_EQ(shape(0.02, -0.05, 0.02).verdict(), Verdict::not_reproduced);
   EXPECT_EQ(shape(0.02, 0, 0.05).verdict(), Verdict::undecided);
+}
+
+TEST(Packings, AreDrawnAnewWithoutOtherCements) {
+  const Judgement of_packings = judge_p1(full_samples({"solid_fraction"}, [](double gamma, double chance) {
+    return std::vector<double>{0.8 + 0.015 * gamma + 0.01 * chance};
+  }));
+  std::size_t draws = 0;
+  for (const Check& check : of_packings.checks)
+    for (const Draw& draw : check.draws) {
+      ++draws;
+      EXPECT_EQ(std::ranges::count(draw.where, std::pair<std::string, std::string>{"cement.kind", "full"}), 1);
+    }
+  EXPECT_GT(draws, of_packings.checks.size()) << "those of single pairs, too";
 }
 
 Judgement means(double large, double large_slope, double small_end, double scatter) {
