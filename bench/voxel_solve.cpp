@@ -26,6 +26,7 @@ const VoxelMap& sample(const benchmark::State& state) {
 void voxel_solve(benchmark::State& state) {
   const VoxelMap& map = sample(state);
   elements::LoadOptions options;
+  options.threads = static_cast<int>(state.range(3));
   options.material = {{1, 0.3}, {1, 0.3}, {static_cast<double>(state.range(1)), 0.25}};
   statics::LoadReportIn<3> report;
   const double start = bench::cpu_seconds();
@@ -40,16 +41,17 @@ void voxel_solve(benchmark::State& state) {
 }
 
 BENCHMARK(voxel_solve)
-    ->ArgNames({"voxels", "ratio", "filled"})
-    ->Args({32, 4, 0})
-    ->Args({64, 4, 0})
-    ->Args({64, 100, 0})
-    ->Args({64, 100, 1})
-    ->Args({128, 4, 0})
-    ->Args({128, 100, 0})
-    ->Args({128, 100, 1})
-    ->Args({256, 4, 0})
-    ->Args({256, 100, 0})
+    ->ArgNames({"voxels", "ratio", "filled", "threads"})
+    ->Args({32, 4, 0, 1})
+    ->Args({64, 4, 0, 1})
+    ->Args({64, 100, 0, 1})
+    ->Args({64, 100, 1, 1})
+    ->Args({128, 4, 0, 1})
+    ->Args({128, 100, 0, 1})
+    ->Args({128, 100, 1, 1})
+    ->Args({256, 4, 0, 1})
+    ->Args({256, 4, 0, 2})
+    ->Args({256, 100, 0, 2})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
 

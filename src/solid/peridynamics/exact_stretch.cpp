@@ -23,51 +23,26 @@ void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, cons
   });
 }
 
-/// Motions of parts that no bond resists linearly, and that no search for hinges by nodes finds, such as a flap on
-/// bonds in line. Second-order forces may push such a part, which linearly has no answer; exactly it turns until they
-/// vanish.
-class Mechanisms {
- public:
-  Mechanisms(const Bonds& bonds, const BlockDiagonal<double>& diagonal) : bonds_(bonds), diagonal_(diagonal) {}
-
-  /// Of a force, what these motions do no work with.
-  void leave_out(Field<double>& f) const {
-    for (const auto& motion : motions_) {
-      const double along = work(motion, f);
-      bonds_.grid.each([&](std::ptrdiff_t i, int) { f.set(i, f.at(i) - along * motion.at(i)); });
-    }
-  }
-
-  /// A solve that found no end has moved from `before` to `after` along what resists least: true, and kept, where that
-  /// is nothing. A soft part that is held stores more than 1e-9 of the energy of its nodes moved one by one, and
-  /// rounding less than 1e-16.
-  bool keep_motion(const Field<double>& before, const Field<double>& after) {
-    Field<double> motion = after, f(bonds_.grid.padded_size());
-    double held = 0;
-    bonds_.grid.each([&](std::ptrdiff_t i, int) {
-      const Vec2 v = after.at(i) - before.at(i);
-      motion.set(i, v);
-      held += diagonal_.xx[i] * v.x * v.x + 2 * diagonal_.xy[i] * v.x * v.y + diagonal_.yy[i] * v.y * v.y;
-    });
-    if (!(std::abs(linear_force(bonds_, motion, f)) <= 1e-13 * held)) return false;
-    leave_out(motion);
-    const double norm = std::sqrt(statics::square_norm(bonds_.grid, motion));
-    bonds_.grid.each([&](std::ptrdiff_t i, int) { motion.set(i, motion.at(i) / norm); });
-    motions_.push_back(std::move(motion));
-    return true;
-  }
-
- private:
-  double work(const Field<double>& u, const Field<double>& f) const {
-    double sum = 0;
-    bonds_.grid.each([&](std::ptrdiff_t i, int) { sum += dot(u.at(i), f.at(i)); });
-    return sum;
-  }
-
-  const Bonds& bonds_;
-  const BlockDiagonal<double>& diagonal_;
-  std::vector<Field<double>> motions_;
-};
+/// A solve that found no end has moved from `before` to `after` along what resists least: true, and left free from now
+/// on, where that is a motion that no bond resists linearly. No search for hinges by nodes finds some of them, such as
+/// a flap on bonds in line. Second-order forces may push such a part, which linearly has no answer; exactly it turns
+/// until they vanish. A soft part that is held stores more than 1e-9 of the energy of its nodes moved one by one, and
+/// rounding less than 1e-16.
+bool leave_free(const Bonds& bonds, const BlockDiagonal<double>& diagonal, const Field<double>& before,
+                const Field<double>& after, statics::FreeMotions<2>& free) {
+  const Grid& grid = bonds.grid;
+  Field<double> motion = after, f(grid.padded_size());
+  grid.each([&](std::ptrdiff_t i, int) { motion.set(i, after.at(i) - before.at(i)); });
+  free.leave_out(grid, motion);
+  double held = 0;
+  grid.each([&](std::ptrdiff_t i, int) {
+    const Vec2 v = motion.at(i);
+    held += diagonal.xx[i] * v.x * v.x + 2 * diagonal.xy[i] * v.x * v.y + diagonal.yy[i] * v.y * v.y;
+  });
+  if (!(std::abs(linear_force(bonds, motion, f)) <= 1e-13 * held)) return false;
+  free.add(grid, std::move(motion));
+  return true;
+}
 
 }  // namespace
 
@@ -83,7 +58,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
   Field<double> body(grid.padded_size()), linear(grid.padded_size()), best;
   const double reference = statics::residual_reference(bonds, prescribed, u, body, linear);
   const auto diagonal = block_diagonal(bonds);
-  Mechanisms mechanisms(bonds, diagonal);
+  statics::FreeMotions<2>& free = solver.free_motions();
   StaticReport total = solver.solve(bonds, u, tolerance, max_iterations, watch);
   if (!(reference > 0) || !total.converged) return total;
   const Watch later = [&](const Progress& p) {
@@ -93,7 +68,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
   for (int round = 0; round < 20; ++round) {
     exact_force(bonds, dx, u, body);
     hold_to_bonds(grid, diagonal, prescribed, body);
-    mechanisms.leave_out(body);
+    free.leave_out(grid, body);
     total.residual = std::sqrt(statics::square_norm(grid, body)) / reference;
     total.converged = total.residual <= tolerance;
     if (total.converged) return total;
@@ -104,10 +79,10 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i)
       body.set(i, body.at(i) - linear.at(i));
     StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
-    while (!more.converged && !more.stopped && mechanisms.keep_motion(best, u)) {
+    while (!more.converged && !more.stopped && leave_free(bonds, diagonal, best, u, free)) {
       total.iterations += more.iterations;
       u = best;
-      mechanisms.leave_out(body);
+      free.leave_out(grid, body);
       more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
     }
     total.iterations += more.iterations;

@@ -10,6 +10,7 @@
 #include "solid/statics/chebyshev.hpp"
 #include "solid/statics/coarse_space.hpp"
 #include "solid/statics/discretisation.hpp"
+#include "solid/statics/free_motions.hpp"
 #include "solid/statics/halo.hpp"
 #include "solid/statics/residual.hpp"
 #include "solid/statics/watch.hpp"
@@ -30,6 +31,7 @@ template <Discretisation D> struct Preconditioner {
   Floats r, p, z;
   Floats spare;  ///< the smoother's older step, the residual left for the coarse space, the force of p: one at a time
   std::vector<ChebyshevStep> coefficient;
+  FreeMotions<dimension> free;
 
   Preconditioner(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> rows, Diagonal diagonal)
       : prescribed(std::move(rows)),
@@ -81,6 +83,7 @@ template <Discretisation D> struct Preconditioner {
     k.residual(sample, pointers(z), pointers(r), pointers(spare));
     coarse.correct(pointers(spare), pointers(z));
     for (const ChebyshevStep c : coefficient) step(c);
+    free.leave_out(sample.grid, z);
     if (!sample.grid.periodic) return;
     take_about_mean(sample.grid, z);
     set_zero(spare);  // images of a period beyond the sample, which no force overwrites, would count in sums
@@ -126,6 +129,9 @@ template <Discretisation D> class StaticSolver {
   /// node beside that of the sample.
   StaticReport solve(const D& sample, Doubles& u, double tolerance, int max_iterations, const Watch& watch = {},
                      const Doubles* body = nullptr);
+
+  /// That solves from now on do not make; a body force has to leave them out.
+  FreeMotions<D::dimension>& free_motions() { return state_->free; }
 
  private:
   std::unique_ptr<Preconditioner<D>> state_;
