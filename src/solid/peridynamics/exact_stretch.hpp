@@ -14,8 +14,8 @@ using StaticSolver = statics::StaticSolver<Bonds>;
 double linear_force(const Bonds& bonds, const Field<double>& u, Field<double>& f);
 
 /// Equilibrium under P's stretch: the linearised solve, again and again, with what it leaves out as a body force. The
-/// error falls by about the strain in each round. Forces that turn a loose node about its hinge, and those along motions that
-/// nothing resists linearly, are left out. Ends with the best field found where rounds stop helping.
+/// error falls by about the strain in each round. Forces that turn a loose node about its hinge, and those along
+/// motions that nothing resists linearly, are left out. Ends with the best field found where rounds stop helping.
 StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed,
                                  StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations,
                                  const Watch& watch = {});
