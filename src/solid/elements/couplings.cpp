@@ -78,40 +78,22 @@ template <int D> Pairs coupled_pairs(const ElementsIn<D>& elements, const Aggreg
   return pairs;
 }
 
-/// The sums of one level of coarse cells.
+/// What single elements add to the sums of one level of coarse cells.
 template <int D> class LevelSums {
  public:
+  using CouplingSum = statics::CouplingSumIn<D>;
+
   LevelSums(const ElementsIn<D>& elements, const Aggregates& cut, const std::vector<std::uint8_t>& prescribed)
       : elements_(elements),
         corners_(elements, cut),
         hats_(cut.side),
-        prescribed_(prescribed),
-        side_(cut.side) {
-    if (D > 2) return;  // CellSums has taken them
-    // An element whose corners are of one aggregate has the same part in it wherever its cell lies.
-    const int last = side_ - 1;
-    whole_.resize(static_cast<std::size_t>(side_ * side_));
-    for (int y = 0; y < last; ++y)
-      for (int x = 0; x < last; ++x) {
-        Part<D>& part = whole_[place_in_cell(x, y)];
-        part.clear();
-        for (int c = 0; c < statics::corners<D>; ++c) {
-          const auto [right, back, up] = Corners<D>::place_of(c);
-          part.add(hats_.at(x + right, y + back, up), c, false);
-        }
-      }
-  }
+        prescribed_(prescribed) {}
 
-  void add(int x, int y, int z, statics::CouplingSumIn<D>& sum) const {
+  void add(int x, int y, int z, CouplingSum& sum) const {
     const Kind kind = elements_.kind(elements_.grid.index(x, y, z));
-    if (kind == none) return;
-    const Owners<D> owners = corners_.of(x, y, z);
-    const Modes<D>& modes = elements_.modes[kind];
-    if (D == 2 && owners.count == 1 && owners.is_whole && !slides(y)) {
-      const Part<D>& part = whole_[place_in_cell(x % side_, y % side_)];
-      couple_(modes, part, part, sum.between(owners.list[0], owners.list[0]));
-      return;
-    }
+    if (kind != none) add(x, y, z, elements_.modes[kind], owners(x, y, z), sum);
+  }
+  void add(int x, int y, int z, const Modes<D>& modes, const Owners<D>& owners, CouplingSum& sum) const {
     std::array<Part<D>, ElementsIn<D>::corner_count> parts;
     for (unsigned p = 0; p < owners.count; ++p) parts[p].clear();
     const std::array<int, 3> nodes = elements_.grid.size();
@@ -128,39 +110,67 @@ template <int D> class LevelSums {
         couple_(modes, parts[low], parts[high], sum.between(owners.list[low], owners.list[high]));
       }
   }
+  /// An element that is one aggregate's, whose part in it is known.
+  void add_whole(const Modes<D>& modes, const Part<D>& part, std::int32_t owner, CouplingSum& sum) const {
+    couple_(modes, part, part, sum.between(owner, owner));
+  }
+
+  Owners<D> owners(int x, int y, int z) const { return corners_.of(x, y, z); }
+  bool slides(int level) const { return prescribed_[static_cast<std::size_t>(level)] == statics::normal_component<D>; }
+  const statics::HatTableIn<D>& hats() const { return hats_; }
 
  private:
-  bool slides(int level) const { return prescribed_[static_cast<std::size_t>(level)] == statics::normal_component<D>; }
-  std::size_t place_in_cell(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
-
   const ElementsIn<D>& elements_;
   Corners<D> corners_;
   statics::HatTableIn<D> hats_;
-  std::vector<Part<D>> whole_;  ///< in the plane, by the place of an element in its cell
   const std::vector<std::uint8_t>& prescribed_;
-  int side_;
   CouplingKernel<D> couple_ = coupling_kernel<D>();
 };
 
 /// All elements of a layer of coarse cells.
-template <int D> class SumOfLayer {
+template <int D> class SumOfLayer;
+
+/// In the plane an element whose corners are of one aggregate has the same part in it wherever its cell lies.
+template <> class SumOfLayer<2> {
  public:
-  SumOfLayer(const ElementsIn<D>& elements, const Aggregates& cut, const std::vector<std::uint8_t>&,
-             const LevelSums<D>& level)
+  SumOfLayer(const Elements& elements, const Aggregates& cut, const std::vector<std::uint8_t>&,
+             const LevelSums<2>& level)
       : elements_(elements),
         side_(cut.side),
-        level_(level) {}
-  void add(int layer, statics::CouplingSumIn<D>& sum) const {
+        level_(level),
+        whole_(static_cast<std::size_t>(side_ * side_)) {
+    for (int y = 0; y + 1 < side_; ++y)
+      for (int x = 0; x + 1 < side_; ++x) {
+        Part<2>& part = whole_[place_in_cell(x, y)];
+        part.clear();
+        for (int c = 0; c < statics::corners<2>; ++c) {
+          const auto [right, back, up] = Corners<2>::place_of(c);
+          part.add(level_.hats().at(x + right, y + back, up), c, false);
+        }
+      }
+  }
+  void add(int layer, statics::CouplingSumIn<2>& sum) const {
     const int first = layer * side_;
-    elements_.each_between(first, std::min(first + side_, elements_.cells[D - 1]),
-                           [&](int x, int y, int z) { level_.add(x, y, z, sum); });
+    elements_.each_between(first, std::min(first + side_, elements_.cells[1]), [&](int x, int y, int z) {
+      const Kind kind = elements_.kind(elements_.grid.index(x, y, z));
+      if (kind == none) return;
+      const Modes<2>& modes = elements_.modes[kind];
+      const Owners<2> owners = level_.owners(x, y, z);
+      if (owners.count == 1 && owners.is_whole && !level_.slides(y))
+        level_.add_whole(modes, whole_[place_in_cell(x % side_, y % side_)], owners.list[0], sum);
+      else level_.add(x, y, z, modes, owners, sum);
+    });
   }
 
  private:
-  const ElementsIn<D>& elements_;
+  std::size_t place_in_cell(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
+
+  const Elements& elements_;
   int side_;
-  const LevelSums<D>& level_;
+  const LevelSums<2>& level_;
+  std::vector<Part<2>> whole_;  ///< by the place of an element in its cell
 };
+
 template <> class SumOfLayer<3> {
  public:
   SumOfLayer(const Voxels& elements, const Aggregates& cut, const std::vector<std::uint8_t>& prescribed,
