@@ -19,15 +19,19 @@ namespace {
 namespace fs = std::filesystem;
 using LedgerClock = std::chrono::steady_clock;
 
-/// Runs what is missing of a study, until the deadline if there is one.
+/// Runs what is missing of a study, until the deadline if there is one. `attempted`: runs that this command has done
+/// already, which it does not repeat again.
 LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& folder, const VerifyArguments& a,
-                   Deadline deadline) {
+                   Deadline deadline, std::set<std::string>& attempted) {
   campaign::StudyOptions options;
   options.jobs = a.jobs;
   options.keep_fields = a.keep == "all";
-  options.retry = a.retry && !deadline;  // once, not in every round of further seeds
+  const auto file_of = [&](const campaign::StudyRun& run) { return folder.run(run.name).string(); };
+  options.repeats = [&](const campaign::StudyRun& run) { return a.retry && !attempted.contains(file_of(run)); };
   options.asked_to_stop = [deadline] { return deadline && LedgerClock::now() >= *deadline; };
-  if (!run_missing(study, folder, options, a.quiet).interrupted) return LedgerEnd::complete;
+  const bool interrupted = run_missing(study, folder, options, a.quiet).interrupted;
+  for (const campaign::StudyRun& run : study.runs) attempted.insert(file_of(run));
+  if (!interrupted) return LedgerEnd::complete;
   return stop_requested() ? LedgerEnd::stopped : LedgerEnd::budget_spent;
 }
 
@@ -52,7 +56,8 @@ LedgerEnd run_studies(char letter, LedgerStudies& studies, const VerifyArguments
     const auto* study = studies.find(name);
     if (!study) continue;
     if (!a.quiet && !deadline) print(stderr, "{}: {} runs\n", name, study->planned().runs.size());
-    const LedgerEnd end = complete(deadline ? study->planned() : study->whole(), *studies.folder(name), a, deadline);
+    const LedgerEnd end =
+        complete(deadline ? study->planned() : study->whole(), *studies.folder(name), a, deadline, studies.attempted());
     if (end != LedgerEnd::complete) return end;
   }
   return LedgerEnd::complete;

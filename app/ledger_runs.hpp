@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,15 @@ class LedgerStudies {
   std::optional<campaign::StudyFolder> folder(const std::string& name) const;
   /// nullptr where it has no runs, or none are wanted.
   const validation::SeededStudy* find(const std::string& name);
+  /// Folders of runs that this command has been through.
+  std::set<std::string>& attempted() { return attempted_; }
 
  private:
   std::filesystem::path out_;
   const VerifyArguments& arguments_;
   validation::SeedPlan plan_;
   std::map<std::string, validation::SeededStudy> read_;
+  std::set<std::string> attempted_;
 };
 
 using Deadline = std::optional<std::chrono::steady_clock::time_point>;

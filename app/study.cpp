@@ -48,7 +48,7 @@ int run_command(const StudyArguments& arguments, const campaign::Study& study, c
   options.jobs = arguments.jobs;
   options.threads = arguments.threads;
   read_shard(arguments.shard, options);
-  options.retry = arguments.retry;
+  options.repeats = [&](const campaign::StudyRun&) { return arguments.retry; };
   options.keep_fields = arguments.keep == "all";
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   watch_for_signals();

@@ -58,6 +58,7 @@ struct Check {
   Kind kind = Kind::trend;
   Decider decider = Decider::none;  ///< where the claim itself knows it; otherwise choices and errors tell
   std::vector<Draw> draws = {};     ///< further seeds that would help; empty: of all runs of the claim's first study
+  double outside = usual_side;  ///< chance below which a value outside of the range fails: less for the worst of many
 };
 
 /// How a number depends on the choices that its source leaves open, varied one at a time.

@@ -189,7 +189,8 @@ double seeds_factor(const Check& check) {
   const double inside = std::min(value - check.range.low, check.range.high - value), distance = std::abs(inside);
   if (!(error > 0) || !(freedom > 0) || !std::isfinite(distance)) return statistics::unknown;
   const auto half_with = [&, value = value, error = error, freedom = freedom](double times) {
-    return half_interval({value, error / std::sqrt(times), (freedom + 1) * times - 1});
+    const Value surer{value, error / std::sqrt(times), (freedom + 1) * times - 1};
+    return half_interval(surer, inside < 0 ? check.outside : usual_side);
   };
   double times = 1;
   while (times < most_times_seeds && half_with(times) > distance) times *= 1.02;

@@ -9,8 +9,6 @@
 namespace arenite::validation {
 namespace {
 
-constexpr double one_side = 0.025;  ///< of the 95 % interval that a check alone is judged by
-
 /// Value over error; sides of zero without one.
 double sureness(const Value& v, double distance) {
   return v.error > 0 ? distance / v.error : std::copysign(HUGE_VAL, distance);
@@ -31,7 +29,7 @@ double chance_inside(const Value& v, const Range& range) {
 std::vector<bool> outside(const Family& family, const Range& range) {
   std::vector<double> chances;
   for (const Member& m : family) chances.push_back(chance_inside(m.value, range));
-  return holm(chances, one_side);
+  return holm(chances, usual_side);
 }
 
 Range this_way(int direction) { return direction > 0 ? Range{.low = 0} : Range{.high = 0}; }
@@ -92,7 +90,9 @@ Check every(const std::string& what, const std::string& source, const Family& fa
   if (family.empty()) return check;
   const Member& worst = *least_sure(family, range);
   check.ours = worst.value;
-  check.draws = draws_of(family, range);
+  // One that lies outside may fail them all, alone.
+  check.draws = margin(worst.value, range) < 0 ? worst.draws : draws_of(family, range);
+  check.outside = usual_side / static_cast<double>(family.size());
   check.outcome = Outcome::holds;
   for (const Member& m : family)
     if (const Outcome one = outcome_of(m.value, range); one != Outcome::holds && check.outcome != Outcome::unknown)

@@ -46,9 +46,9 @@ Value ratio(const Value& a, const Value& b) {
 
 Value size_of(const Value& v) { return {std::abs(v.value), v.error, v.freedom}; }
 
-double half_interval(const Value& v) {
+double half_interval(const Value& v, double side) {
   if (!(v.error > 0)) return v.error;
-  return v.freedom > 0 ? v.error * statistics::student_quantile(0.975, v.freedom) : statistics::unknown;
+  return v.freedom > 0 ? v.error * statistics::student_quantile(1 - side, v.freedom) : statistics::unknown;
 }
 
 double chance_above(const Value& v, double bound) {

@@ -19,8 +19,11 @@ Value ratio(const Value& a, const Value& b);
 /// |v| with the error of v.
 Value size_of(const Value& v);
 
-/// Half the interval that covers the true value in 95 of 100 cases, by Student's t; NaN where the error is not known.
-double half_interval(const Value& v);
+/// Of the 95 % interval, beyond either end.
+inline constexpr double usual_side = 0.025;
+/// Half the interval that covers the true value in 95 of 100 cases, by Student's t, or leaves `side` beyond either end;
+/// NaN where the error is not known.
+double half_interval(const Value& v, double side = usual_side);
 /// How often a true value at `bound` would give one as far above it; NaN where the error is not known.
 double chance_above(const Value& v, double bound);
 

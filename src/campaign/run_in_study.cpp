@@ -127,15 +127,17 @@ RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const
 
 }  // namespace
 
+bool is_wanted(const StudyRun& run, const RunState& state, const StudyOptions& options) {
+  return !state.settled() || (state.kind != Kind::done && options.repeats(run));
+}
+
 std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder,
                                      const workflow::Store& store, const io::AppendLog& journal,
                                      const StudyOptions& options) {
   const auto lock = io::FileLock::try_take(folder.lock(run.name));
   if (!lock) return std::nullopt;
   // Another process may have done it since it was chosen.
-  if (const auto status = read_status(folder, run.name);
-      status && status->settled() && !(options.retry && status->kind != Kind::done))
-    return status;
+  if (const auto status = read_status(folder, run.name); status && !is_wanted(run, *status, options)) return status;
   note_state(journal, run.name, {Kind::running, 0, {}});
   const std::clock_t began = std::clock();
   RunState state = attempt_whatever_happens(study, run, folder, store, options);

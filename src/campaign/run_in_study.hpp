@@ -36,6 +36,9 @@ class Worker {
   std::string heard_;
 };
 
+/// Whether a run that is in this state is to be done.
+bool is_wanted(const StudyRun& run, const RunState& state, const StudyOptions& options);
+
 /// Does one run of a study in this process, and writes its numbers, status and journal. Nothing if another process is
 /// at it. No exception leaves it: what goes wrong is the run's state. `waiting` says that it was asked to stop.
 std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder,

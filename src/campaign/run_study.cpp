@@ -84,7 +84,7 @@ class Scheduler {
         if (stage.field && !options.keep_fields) field_users_[stage.hash].push_back(run.name);
     for (const std::size_t run : shard_of(study, options.shard, options.shards)) {
       const auto state = read_status(folder, study.runs[run].name);
-      if (!state || !state->settled() || (options.retry && state->kind != Kind::done)) pending_.push_back(run);
+      if (!state || is_wanted(study.runs[run], *state, options)) pending_.push_back(run);
       else settle(run, state->kind);
     }
     total_ = pending_.size() + progress_.done + progress_.not_done;

@@ -36,8 +36,9 @@ struct StudyOptions {
   std::size_t jobs = Jobs{}.at_once();
   int threads = Threads{}.threads;    ///< in each of them
   std::size_t shard = 0, shards = 1;  ///< this process does one of `shards` equal parts of the runs
-  bool retry = false;                 ///< runs that failed or found no equilibrium are done again
-  bool keep_fields = true;            ///< false: field files go when their numbers are kept
+  /// Which runs are done again where they have failed or found no equilibrium.
+  std::function<bool(const StudyRun&)> repeats = [](const StudyRun&) { return false; };
+  bool keep_fields = true;  ///< false: field files go when their numbers are kept
   double checkpoint_seconds = workflow::Checkpoints{}.every;
   std::function<Numbers(const workflow::RunOutcome&)> numbers = [](const workflow::RunOutcome&) {
     return Numbers::tree();

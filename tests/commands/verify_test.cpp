@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "io/disk/file.hpp"
 #include "support/program.hpp"
 
 using namespace arenite;
@@ -63,6 +64,13 @@ TEST(Verify, RepeatsRunsThatFoundNoEquilibriumOnDemandOnly) {
   EXPECT_EQ(runs(), first);
   verify("--retry ");
   EXPECT_EQ(runs(), 2 * first);
+  // Further seeds likewise, and once each.
+  io::write_atomically(out / "further-seeds.csv", "study,where,seeds\npaper-linearity,,3\n");
+  verify("--budget 1min ");
+  const std::size_t all = runs() - first;
+  EXPECT_GT(all, first);
+  verify("--retry --budget 1min ");
+  EXPECT_EQ(runs() - first, 2 * all);
   EXPECT_EQ(test::arenite("verify paper --read --retry --out " + out.string()).status, 2);
 }
 

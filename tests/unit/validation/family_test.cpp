@@ -69,6 +69,24 @@ TEST(Every, IsUndecidedWhereOneIsNotSureAndUnknownWhereOneIsMissing) {
   EXPECT_EQ(every("", "", {}, {.low = 0}).outcome, Outcome::unknown);
 }
 
+TEST(Every, AsksForSeedsOfTheOneOutsideAloneAndOfAsManyAsFailItAmongAll) {
+  Family family = alike(45, 1, 0.1, 40);
+  for (std::size_t k = 0; k < 3; ++k) {
+    family[k].value = {0.1, 0.1, 40};
+    family[k].draws = {{"study", {{"k", std::to_string(k)}}}};
+  }
+  EXPECT_EQ(every("", "", family, {.low = 0}).draws.size(), 3u);
+  family[1].value.value = -0.2;
+  const Check check = every("", "", family, {.low = 0});
+  ASSERT_EQ(check.outcome, Outcome::undecided);
+  EXPECT_EQ(check.draws, family[1].draws);
+  // 0.025/45 leaves 3.26 errors of a normal distribution.
+  EXPECT_NEAR(seeds_factor(check), std::pow(3.26 / 2, 2), 0.15);
+  const double times = 1.02 * seeds_factor(check);
+  family[1].value = {-0.2, 0.1 / std::sqrt(times), 41 * times - 1};
+  EXPECT_EQ(every("", "", family, {.low = 0}).outcome, Outcome::fails);
+}
+
 TEST(Every, OfARangeLooksAtBothEnds) {
   Family family = alike(5, 0.85, 0.001);
   EXPECT_EQ(every("", "", family, {0.82, 0.89}).outcome, Outcome::holds);
