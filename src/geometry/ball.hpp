@@ -33,5 +33,6 @@ template <int D> double volume_of(const Box<D>& box) {
   for (int axis = 0; axis < D; ++axis) product *= box.size[axis];
   return product;
 }
+inline double volume_of(const Rectangle& rectangle) { return rectangle.area(); }
 
 }  // namespace arenite::geometry

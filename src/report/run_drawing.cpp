@@ -9,7 +9,7 @@
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
 #include "grains/texture/force_scale.hpp"
-#include "grains/texture/solid_fraction.hpp"
+#include "grains/texture/rev.hpp"
 #include "io/disk/store_file.hpp"
 #include "model/shapes.hpp"
 #include "report/field_drawing.hpp"

@@ -10,7 +10,7 @@ LISTS = {
     "grains/dem/kernels/make_kernel.hpp": "avx2 avx512 portable",
     "grains/fields/stage_numbers.hpp": "cohesion_numbers energy_numbers flow_numbers load_numbers",
     "grains/texture/view.hpp": "coordination fabric local_order long_axes quality sample_stress",
-    "grains/texture/spheres/spheres.hpp": "fabric fraction",
+    "grains/texture/spheres/spheres.hpp": "fabric",
     "io/export/export.hpp": "csv extxyz fields lammps netcdf npy vtk",
     "io/film/formats.hpp": "hcc hdf5 npy ptw raw series sfmov text tiff",
     "io/image/image.hpp": "hdf5 jpeg png",

@@ -21,6 +21,12 @@ inline Vec3 high_of(const geometry::Box<3>& region) { return region.end(); }
 inline Vec2 size_of(const geometry::Rectangle& region) { return {region.width(), region.height()}; }
 inline Vec3 size_of(const geometry::Box<3>& region) { return region.size; }
 
+/// From its lowest corner.
+inline geometry::Rectangle region_from(Vec2 corner, Vec2 size) {
+  return {corner.x, corner.x + size.x, corner.y, corner.y + size.y};
+}
+inline geometry::Box<3> region_from(Vec3 corner, Vec3 size) { return {corner, size}; }
+
 /// One of the equal parts of a region, of which so many stand along each side.
 inline geometry::Rectangle part_of(const geometry::Rectangle& region, int per_side, const std::array<int, 2>& index) {
   const double w = region.width() / per_side, h = region.height() / per_side;

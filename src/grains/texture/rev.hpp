@@ -1,10 +1,8 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <vector>
 
-#include "core/random.hpp"
-#include "statistics/numbers.hpp"
+#include "model/packing.hpp"
 
 namespace arenite::texture {
 
@@ -19,16 +17,17 @@ struct Rev {
   std::vector<double> mean, deviation, error;  ///< over places; error = standard error of the mean
 };
 
-/// Solid fractions of windows of the box's shape, `side` of its side long, at so many random places in the whole box.
-using WindowFractions = std::function<std::vector<double>(double side, int places, RandomStream random)>;
+template <int D> struct ViewIn;
+template <int D> struct TextureIn;
 
 /// Windows from a twentieth of the box's side to 0.98 of it in equal steps of side, which keep the border (T Fig. 3.6),
 /// and show its effect at the largest windows. Large windows overlap and know one sample only: to the error of the
 /// finite number of places that of the sample itself is added.
-Rev growing_windows(const RevWindows& windows, int dimension, std::uint64_t seed, double error_of_sample,
-                    const WindowFractions& fractions);
+template <int D> void rev(const ViewIn<D>& view, TextureIn<D>& texture);
 
-/// As it is stored, its shares under that name.
-Numbers numbers_of(const Rev& rev, const char* share);
+/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in
+/// the whole box (T Fig. 3.6b); over the box's sides the places are the same for every packing. Empty where the box is
+/// not known.
+std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed = 1);
 
 }  // namespace arenite::texture

@@ -39,7 +39,7 @@ Tensor2 inner_stress(const View& view, const std::vector<Tensor2>& moments) {
   Tensor2 sum;
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g],
-                 covered = covered_area(view.packing.domain, grains.position[g], r, view.blocks.bounds);
+                 covered = covered_by<2>(view.packing.domain, grains.position[g], r, view.blocks.bounds);
     sum += covered / (std::numbers::pi * r * r) / volume * moments[g];
   }
   return sum;

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/tensor.hpp"
-#include "geometry/union_area.hpp"
+#include "geometry/ball_window.hpp"
 #include "grains/texture/force_scale.hpp"
 #include "grains/texture/loose_grains.hpp"
 #include "grains/texture/spheres/tensor3.hpp"
@@ -138,14 +138,18 @@ double mean_of_known(const Items& items, const std::vector<double>& values) {
   return mean;
 }
 
-double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
-  if (!domain.is_cell()) return geometry::disk_window_area(centre, radius, window);
-  double area = 0;
-  for_each_image(domain, geometry::square_about(centre, radius), window, [&](const ImageShift& image) {
-    area += geometry::disk_window_area(centre + image.shift, radius, window);
-  });
-  return area;
+template <int D>
+double covered_by(const DomainIn<D>& domain, Vec<D> centre, double radius,
+                  const std::type_identity_t<Region<D>>& window) {
+  const Vec<D> reach = by_axis<D>([&](int) { return radius; });
+  double covered = 0;
+  for_images_between<D>(
+      domain, low_of(window) - (centre + reach), high_of(window) - (centre - reach),
+      [&](const Cells<D>& on) { covered += geometry::part_in(window, centre + domain.way(on), radius); });
+  return covered;
 }
+template double covered_by<2>(const Domain&, Vec2, double, const geometry::Rectangle&);
+template double covered_by<3>(const DomainIn<3>&, Vec3, double, const geometry::Box<3>&);
 
 template <int D> ViewIn<D>::ViewIn(const PackingIn<D>& p, const OptionsIn<D>& o) : packing(p), options(o) {
   const DomainIn<D>& domain = packing.domain;

@@ -107,8 +107,10 @@ template <class AnyContacts> double mean_push(const AnyContacts& pairs, const It
 Items known(const Items& items, const std::vector<double>& values);
 double mean_of_known(const Items& items, const std::vector<double>& values);
 
-/// Area of a disk inside a rectangle, periodic images of the disk included.
-double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window);
+/// Area of a disk, volume of a sphere, inside a window, periodic images of the grain included, m^D.
+template <int D>
+double covered_by(const DomainIn<D>& domain, Vec<D> centre, double radius,
+                  const std::type_identity_t<Region<D>>& window);
 
 /// Where the numbers of a set go: those of "all" stand by themselves, those of the others in a group.
 inline Numbers& place_of(const std::string& set, Numbers& to, const char* group) {
@@ -119,6 +121,5 @@ inline Numbers& place_of(const std::string& set, Numbers& to, const char* group)
 /// unit and what it is. What it cannot compute it leaves out, with a note that says why.
 template <int D> using StatisticIn = void(const ViewIn<D>& view, TextureIn<D>& texture);
 using Statistic = StatisticIn<2>;
-Statistic rev;  ///< by itself, too
 
 }  // namespace arenite::texture

@@ -21,7 +21,7 @@ Numbers measure_spheres(const PackingIn<3>& packing, const SphereOptions& option
 
 /// What is measured in space in its own way.
 namespace spheres {
-StatisticIn<3> fraction, fabric;
+StatisticIn<3> fabric;
 }
 
 }  // namespace arenite::texture

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "grains/texture/solid_fraction.hpp"
+#include "grains/texture/rev.hpp"
 #include "grains/texture/texture.hpp"
 #include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"
