@@ -9,8 +9,8 @@ from sources import ROOT, SOURCES, code_of, files
 LISTS = {
     "grains/dem/kernels/make_kernel.hpp": "avx2 avx512 portable",
     "grains/fields/stage_numbers.hpp": "cohesion_numbers energy_numbers flow_numbers load_numbers",
-    "grains/texture/view.hpp": "coordination fabric local_order long_axes quality sample_stress",
-    "grains/texture/spheres/spheres.hpp": "fabric",
+    "grains/texture/fabric.hpp": "fabric_of_disks fabric_of_spheres",
+    "grains/texture/view.hpp": "coordination local_order long_axes quality sample_stress",
     "io/export/export.hpp": "csv extxyz fields lammps netcdf npy vtk",
     "io/film/formats.hpp": "hcc hdf5 npy ptw raw series sfmov text tiff",
     "io/image/image.hpp": "hdf5 jpeg png",

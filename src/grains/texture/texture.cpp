@@ -10,15 +10,15 @@
 #include "core/problems.hpp"
 #include "grains/texture/force_scale.hpp"
 #include "grains/texture/solid_fraction.hpp"
-#include "grains/texture/spheres/spheres.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
 
 // Each in its own file.
-Statistic fabric, threshold, local_order, long_axes;
+Statistic threshold, local_order, long_axes;
 template <int D> void solid_fraction(const ViewIn<D>& view, TextureIn<D>& texture);
 template <int D> void grain_stress(const ViewIn<D>& view, TextureIn<D>& texture);
+template <int D> void fabric(const ViewIn<D>& view, TextureIn<D>& texture);
 template <int D> void coordination(const ViewIn<D>& view, TextureIn<D>& texture);
 template <int D> void stress(const ViewIn<D>& view, TextureIn<D>& texture);
 template <int D> void forces(const ViewIn<D>& view, TextureIn<D>& texture);
@@ -74,8 +74,8 @@ template <int D> void sample(const ViewIn<D>& view, TextureIn<D>& texture) {
 /// stress builds on it.
 constexpr Statistic* in_plane[] = {sample, grain_stress, solid_fraction, coordination, fabric, threshold, stress,
                                    forces, sigma_norm,   local_order,    long_axes,    rev,    quality};
-constexpr StatisticIn<3>* in_space[] = {sample,          grain_stress, solid_fraction, rev,        coordination,
-                                        spheres::fabric, stress,       forces,         sigma_norm, quality};
+constexpr StatisticIn<3>* in_space[] = {sample, grain_stress, solid_fraction, rev,        coordination,
+                                        fabric, stress,       forces,         sigma_norm, quality};
 std::span<Statistic* const> statistics_of(const Packing& /*packing*/) { return in_plane; }
 std::span<StatisticIn<3>* const> statistics_of(const PackingIn<3>& /*packing*/) { return in_space; }
 

@@ -19,9 +19,4 @@ SphereOptions sphere_options(const Asked& asked);
 /// with its notes.
 Numbers measure_spheres(const PackingIn<3>& packing, const SphereOptions& options = {});
 
-/// What is measured in space in its own way.
-namespace spheres {
-StatisticIn<3> fabric;
-}
-
 }  // namespace arenite::texture

@@ -1,6 +1,5 @@
 #include "grains/texture/spheres/tensor3.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 namespace arenite::texture::spheres {
@@ -24,20 +23,6 @@ Principal principal(const Tensor3& tensor) {
     p.direction[k] = (sign < 0 ? -1.0 : 1.0) * Vec3{n[0], n[1], n[2]};
   }
   return p;
-}
-
-std::vector<double> solved_for_six(const double* normal, const double* right) {
-  Eigen::Matrix<double, 6, 6> matrix;
-  Eigen::Matrix<double, 6, 1> vector;
-  for (int a = 0; a < 6; ++a) {
-    vector[a] = right[a];
-    for (int b = 0; b < 6; ++b) matrix(a, b) = normal[6 * a + b];
-  }
-  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factors(matrix);
-  const auto pivots = factors.vectorD();
-  if (!(pivots.minCoeff() > 1e-12 * pivots.maxCoeff())) return std::vector<double>(6, statistics::unknown);
-  const Eigen::Matrix<double, 6, 1> form = factors.solve(vector);
-  return {form.data(), form.data() + 6};
 }
 
 }  // namespace arenite::texture::spheres

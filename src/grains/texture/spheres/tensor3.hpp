@@ -1,6 +1,4 @@
 #pragma once
-#include <vector>
-
 #include "core/tensor.hpp"
 #include "core/vec.hpp"
 #include "statistics/numbers.hpp"
@@ -17,8 +15,5 @@ struct Principal {
   Vec3 direction[3];
 };
 Principal principal(const Tensor3& tensor);
-
-/// Solution of the six normal equations of a least-squares fit, row by row; unknown where they are singular.
-std::vector<double> solved_for_six(const double* normal, const double* right);
 
 }  // namespace arenite::texture::spheres

@@ -231,11 +231,14 @@ TEST(Spheres, PartsByMaterialAddUpToTheWhole) {
     unlike += packing.grains.material[contacts.i[c]] != packing.grains.material[contacts.j[c]];
   contacts.fn[0] = -1;
   const Numbers numbers = measure_spheres(packing);
-  double parts = 0, shares = 0;
+  double parts = 0, shares = 0, in_sets = 0;
   for (const char* pair : {"glass-glass", "glass-steel", "steel-steel"}) {
     parts += value(numbers, (std::string("/coordination/parts_of_z/") + pair).c_str());
     shares += value(numbers, (std::string("/coordination/share_of_contacts/") + pair).c_str());
   }
+  for (const char* pair : {"glass-glass", "glass-steel", "steel-steel"})
+    in_sets += value(numbers, (std::string("/fabric/sets/") + pair + "/contacts").c_str());
+  EXPECT_EQ(in_sets, value(numbers, "/fabric/contacts"));
   EXPECT_NEAR(parts, 12, 1e-12);
   EXPECT_NEAR(shares, 1, 1e-12);
   const auto all = static_cast<double>(contacts.size());

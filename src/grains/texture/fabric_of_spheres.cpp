@@ -6,13 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "grains/texture/fabric.hpp"
 #include "grains/texture/spheres/hemisphere.hpp"
-#include "grains/texture/spheres/spheres.hpp"
 #include "grains/texture/spheres/tensor3.hpp"
-#include "grains/texture/view.hpp"
 
-namespace arenite::texture::spheres {
-
+namespace arenite::texture {
+namespace spheres {
 namespace {
 
 /// Components of a symmetric tensor in the order of Voigt, and their places.
@@ -42,6 +41,7 @@ enum Term {
   shear_normal_sum = 55,  // and of these with each other
   terms = 91
 };
+constexpr double rounding = 1e-12;  // of pivots
 enum Result { phi = 0, a_c = 6, a_c_signed, p_4, a_n, a_t, results };
 
 /// What each component of a symmetric tensor b brings to b n - (n . b n) n.
@@ -107,11 +107,10 @@ std::vector<double> evaluate(const std::vector<double>& s, Vec3 load_axis, Vec3 
   if (load_axis != Vec3{})
     r[a_c_signed] = 11.25 * (std::inner_product(along.begin(), along.end(), &r[phi], 0.0) - 1.0 / 3);
   r[p_4] = fourth_about(main_axis, &s[normal_sum], n, &r[phi]);
-  // Fitted over directions, so that anisotropies of forces do not inherit that of the counts.
-  const std::vector<double> form = solved_for_six(&s[normal_sum], &s[force_sum]);
+  const std::vector<double> form = fitted<6>(&s[normal_sum], &s[force_sum], rounding);
   const double mean_force = (form[0] + form[1] + form[2]) / 3;
   r[a_n] = size_of_deviator(form.data()) / mean_force;
-  r[a_t] = size_of_deviator(solved_for_six(&s[shear_normal_sum], &s[shear_sum]).data()) / mean_force;
+  r[a_t] = size_of_deviator(fitted<6>(&s[shear_normal_sum], &s[shear_sum], rounding).data()) / mean_force;
   return r;
 }
 
@@ -123,7 +122,8 @@ std::vector<double> by_directions(const SphereView& view, const Items& items) {
 
 Numbers direction(Vec3 n) { return Numbers::list({n.x, n.y, n.z}); }
 
-void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
+Numbers fabric_numbers(const SphereView& view, const Items& items) {
+  Numbers j = Numbers::tree();
   const Vec3 axis = axis_of_most(view.pairs(), items);
   const auto r = statistics::jackknife_of_sums(
       items, view.contact_block, terms, [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
@@ -136,7 +136,7 @@ void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
   if (view.load_axis != Vec3{})
     put(j, "a_c_signed", r[a_c_signed], "",
         "3/2 of a's part along the load: a_c with its sign where the fabric is symmetric about the load",
-        view.axis_is_given ? Trait::none : Trait::by_forces);
+        by_axis(view));
   put(j, "a_c_noise", 7.5 / std::sqrt(static_cast<double>(items.size())), "",
       "a_c of the same number of random orientations, root mean square");
   put(j, "phi", Numbers{{"value", rows_of(tensor_of(value.data()))}, {"error", rows_of(tensor_of(error.data()))}}, "",
@@ -155,25 +155,12 @@ void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
   put(j, "a_t", r[a_t], "",
       "Anisotropy of the mean tangential force, as a_c, of the form f_0 (b n - (n b n) n) that fits the forces best",
       Trait::detail | Trait::by_forces);
+  return j;
 }
 
 }  // namespace
+}  // namespace spheres
 
-/// Of all contacts, and apart of those above and below the mean force.
-void fabric(const SphereView& view, TextureIn<3>& texture) {
-  if (view.contacts.empty()) return;
-  Numbers& j = texture.numbers["fabric"] = Numbers::tree();
-  if (view.axis_is_given)
-    put(j, "load_direction", direction(view.load_axis), "", "Direction of the load: x, y, z of a unit vector",
-        Trait::detail);
-  put_fabric(j, view, view.contacts);
-  Items strong, weak;
-  for (const std::size_t c : view.contacts) (view.strong(c) ? strong : weak).push_back(c);
-  for (const auto& [name, items] : {std::pair{"strong", strong}, std::pair{"weak", weak}}) {
-    if (items.empty()) continue;
-    put_fabric(j["sets"][name], view, items);
-    j["sets"][name].mark(Trait::detail | Trait::by_forces);
-  }
-}
+Numbers fabric_of(const SphereView& view, const Items& items) { return spheres::fabric_numbers(view, items); }
 
-}  // namespace arenite::texture::spheres
+}  // namespace arenite::texture
