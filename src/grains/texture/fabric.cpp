@@ -9,7 +9,7 @@ namespace {
 
 void put_load(Numbers& to, const View& view) {
   put_angle(to, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, half_turn,
-            "Direction of the load, from x, to which signs refer", Trait::detail | by_axis(view));
+            "Direction of the load, from x, to which signs refer", Trait::detail | by_load_axis(view));
 }
 void put_load(Numbers& to, const SphereView& view) {
   const Vec3 m = view.load_axis;

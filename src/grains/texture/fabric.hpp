@@ -19,7 +19,9 @@ template <int k> std::vector<double> fitted(const double* normal, const double* 
 }
 
 /// What the direction of the load follows from: what was said, or the forces.
-template <int D> Trait by_axis(const ViewIn<D>& view) { return view.axis_is_given ? Trait::none : Trait::by_forces; }
+template <int D> Trait by_load_axis(const ViewIn<D>& view) {
+  return view.axis_is_given ? Trait::none : Trait::by_forces;
+}
 
 /// Directions of one set of contacts: a_c, the fabric tensor, anisotropies of forces, and by name what is of the plane
 /// (angles, modes, sectors) or of space (axes, P_4, parts of the half sphere).

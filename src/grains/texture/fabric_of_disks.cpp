@@ -112,7 +112,7 @@ Numbers fabric_of(const View& view, const Items& items) {
   put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "",
       "Fabric tensor <n (x) n>, T eq. 1.6", Trait::detail);
   put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load",
-      Trait::detail | by_axis(view));
+      Trait::detail | by_load_axis(view));
   put(j, "a_c_noise", 2 * noise, "", "a_c of the same number of random orientations");
   put(j, "a_n", force.amplitude, "", "Anisotropy of the mean normal force", Trait::detail | Trait::by_forces);
   put_angle(j, "theta_n_deg", force.direction_deg, half_turn, "Direction of the largest normal forces, from x",

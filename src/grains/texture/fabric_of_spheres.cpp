@@ -136,7 +136,7 @@ Numbers fabric_numbers(const SphereView& view, const Items& items) {
   if (view.load_axis != Vec3{})
     put(j, "a_c_signed", r[a_c_signed], "",
         "3/2 of a's part along the load: a_c with its sign where the fabric is symmetric about the load",
-        by_axis(view));
+        by_load_axis(view));
   put(j, "a_c_noise", 7.5 / std::sqrt(static_cast<double>(items.size())), "",
       "a_c of the same number of random orientations, root mean square");
   put(j, "phi", Numbers{{"value", rows_of(tensor_of(value.data()))}, {"error", rows_of(tensor_of(error.data()))}}, "",
