@@ -114,12 +114,15 @@ Unit operator*(const Unit& a, const Unit& b) {
   return {a.factor * b.factor, a.decade + b.decade, a.dimension * b.dimension};
 }
 
-/// Whether a power is a half as a fraction, "1/2". Others stand in brackets: of "m^3/2" the half may be meant.
-bool is_half(std::string_view power) {
-  constexpr std::string_view half = "1/2";
-  return power.starts_with(half) &&
-         (power.size() == half.size() || (!is_digit(power[half.size()]) && power[half.size()] != '.'));
+/// Length of a fraction that a power starts with, "1/2" or "1/3"; 0: none. Others stand in brackets: of "m^3/2" the
+/// half may be meant.
+std::size_t fraction_length(std::string_view power) {
+  if (!power.starts_with("1/")) return 0;
+  const std::size_t end = std::min(power.find_first_not_of("0123456789", 2), power.size());
+  return end > 2 && !power.substr(end).starts_with('.') ? end : 0;
 }
+
+bool is_half(std::string_view power) { return power.substr(0, fraction_length(power)) == "1/2"; }
 
 /// Recursive descent over: expression = factor {("*" | "·" | " " | "/") factor}; factor = (symbol | "(" expression ")")
 /// ["^" power | superscript]; a power is a whole number or ends in .5, or (1/2). "√" before a factor is its root.
@@ -207,10 +210,17 @@ class UnitReader {
     skip_spaces();
     const bool is_root = is_half(rest_), in_brackets = take("(");
     double value = digits_of_power();
+    if (!is_root && !in_brackets && divides_by_number()) wrong_power();  // a fraction is meant
     if ((is_root || in_brackets) && take("/")) value /= digits_of_power();
     if (in_brackets && !take(")")) fail("a bracket is not closed");
     if (!(std::abs(value) <= largest_power) || std::trunc(2 * value) != 2 * value) wrong_power();
     return value;
+  }
+
+  /// Whether "/3" or the like follows, which divides by no unit.
+  bool divides_by_number() const {
+    const std::string_view number = rest_.substr(0, std::min(rest_.find_first_not_of("0123456789", 1), rest_.size()));
+    return rest_.starts_with('/') && number.size() > 1 && number != "/1";
   }
 
   double digits_of_power() {
@@ -224,7 +234,7 @@ class UnitReader {
   }
 
   [[noreturn]] void wrong_power() const {
-    fail(fmt::format("the power must be a whole number from -{0} to {0}, or a half such as 0.5 or (1/2)",
+    fail(fmt::format("the power must be a whole number from -{0} to {0}, or a half such as 0.5, (1/2) or (3/2)",
                      largest_power));
   }
 
@@ -254,7 +264,7 @@ std::string describe(Dimension dimension) {
 std::size_t power_length(std::string_view text) {
   constexpr std::string_view of_numbers = "0123456789.";
   if (!text.starts_with('^') || text.size() < 2) return 0;
-  if (is_half(text.substr(1))) return 4;
+  if (const std::size_t fraction = fraction_length(text.substr(1)); fraction > 0) return 1 + fraction;
   if (text[1] == '(') {
     const std::size_t end = text.find_first_not_of("0123456789./-", 2);
     return end < text.size() && text[end] == ')' && text.find('/') < end ? end + 1 : 0;

@@ -78,6 +78,7 @@ TEST(Expression, IsToldFromSingleQuantitiesAndText) {
 
 TEST(Expression, WhatCannotBeEvaluatedIsRefusedWithItsReason) {
   for (const auto& [text, reason] : {std::pair{"D + n", "cannot be added"},
+                                     std::pair{"1 m^1/3", "or a half such as 0.5, (1/2) or (3/2)"},
                                      {"2*E", "no variable \"E\""},
                                      {"D)", "unexpected"},
                                      {"2*(D", "missing"},

@@ -83,6 +83,9 @@ TEST(Units, AHalfPowerMayBeAFractionOrARoot) {
   for (const char* text : {"1 m^3/2", "1 m^2/2", "1 m^1/20", "1 m^(1/3)", "1 m^(1/0)", "1 m^(0/0)", "1 m^(1/2", "1 m^(",
                            "1 √", "1 √√√√√√√√√√m"})
     EXPECT_THROW(parse_quantity(text), InputError) << text;
+  for (const char* text : {"5 m^1/3", "5 m^3/2", "5 N/m^1/3", "5 m^1/20"})
+    EXPECT_NE(refused(text, dimension::area).find("a half such as 0.5, (1/2) or (3/2)"), std::string::npos) << text;
+  EXPECT_EQ(parse_unit("m^2/1").dimension, dimension::area);
 }
 
 TEST(Units, UnknownUnitOffersTheNearest) {
