@@ -218,11 +218,15 @@ void declare(Visitor& v, LockinSection& lockin) {
            lockin.diffusivity, "mm^2/s", range::positive);
 }
 
+void declare(Visitor& v, const Key& key, AmplitudeConvention& convention) {
+  v.choice(key, convention,
+           {{"amplitude", "that of the oscillation", "half"}, {"peak-to-peak", "twice the amplitude", "full"}});
+}
+
 void declare(Visitor& v, LockinAlone& lockin) {
   declare(v, static_cast<LockinSection&>(lockin));
   v.number(pixel_key(false), lockin.pixel, "mm", range::positive);
-  v.choice({"convention", "Convention of the maps."}, lockin.convention,
-           {{"amplitude", "that of the oscillation", "half"}, {"peak-to-peak", "twice the amplitude", "full"}});
+  declare(v, {"convention", "Convention of the maps."}, lockin.convention);
   v.flag({"refine", "The frequency is refined on the film."}, lockin.refine);
 }
 

@@ -9,6 +9,7 @@
 #include "core/mapped.hpp"
 #include "core/text.hpp"
 #include "model/lockin_maps.hpp"
+#include "recipe/film_keys.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -34,12 +35,6 @@ std::optional<Measured> measured(Visitor& v, const Key& key, const std::optional
 /// The same of what has a value in any case.
 void measured(Visitor& v, const Key& key, Measured& value, double most = HUGE_VAL) {
   value = measured(v, key, std::optional(value), "", most).value_or(value);
-}
-
-void declare_convention(Visitor& v, const Key& key, AmplitudeConvention& convention) {
-  int index = convention == AmplitudeConvention::peak_to_peak ? 0 : 1;
-  v.choice(key, index, {{"peak-to-peak", "", "full"}, {"amplitude", "of a sine", "half"}});
-  convention = index == 0 ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
 }
 
 void declare_detector(Visitor& v, std::optional<identify::Detector>& detector) {
@@ -97,17 +92,17 @@ void declare(Visitor& v, FactorRequest& request) {
   request.young = measured(v, {"young", "Modulus of the specimen, if the file gives strains."}, request.young, "GPa");
   request.poisson = measured(v, {"poisson", "Poisson's ratio of the specimen, if the file gives strains."},
                              request.poisson, "", 0.999999);
-  declare_convention(
+  recipe::declare(
       v,
       {"temperature_convention", "Whether temperatures and signals are peak-to-peak values or amplitudes of a sine.",
        false, "temperature_swing"},
       request.temperature);
-  declare_convention(v,
-                     {"load_convention",
-                      "Whether stresses, forces and strains are peak-to-peak values or amplitudes; force_max - "
-                      "force_min is always peak to peak.",
-                      false, "load_swing"},
-                     request.load);
+  recipe::declare(v,
+                  {"load_convention",
+                   "Whether stresses, forces and strains are peak-to-peak values or amplitudes; force_max - "
+                   "force_min is always peak to peak.",
+                   false, "load_swing"},
+                  request.load);
   v.flag({"through_origin", "The line is forced through the origin."}, request.through_origin);
   declare_detector(v, request.detector);
 }
