@@ -115,6 +115,56 @@ void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
   v.require(same <= 1, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
 }
 
+/// A load at one strain.
+void declare_strained_once(Visitor& inner, Load& load) {
+  inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "",
+               range::above(0, 0.5));
+  inner.choice({"method", "What joins the nodes, and how the field at equilibrium is found."}, load.method,
+               words(load.method));
+  inner.when(load.method == LoadMethod::elements, "method = \"elements\"", [&](Visitor& elements) {
+    elements.choice({"element", "How an element bends."}, load.element, words(load.element));
+    elements.choice({"plane", "What happens across the plane."}, load.plane, words(load.plane));
+    elements.section({"poisson", "Poisson's ratios of elements by phase."},
+                     [&](Visitor& section) { declare(section, load.poisson); });
+    elements.flag({"effective_stiffness",
+                   "Also find the effective stiffness of the sample repeated in all directions, which needs no "
+                   "clamps: three uniform strains in the plane, six in space."},
+                  load.effective_stiffness);
+  });
+  inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
+             load.exact_stretch);
+  inner.flag(
+      {"moduli",
+       "Also load along both axes and in shear, for the apparent moduli and Poisson's ratios between rigid clamps."},
+      load.moduli);
+  static const std::string most = fmt::format(
+      "Iterations after which a solve gives up; 0: {}, in space {}, more for a finer tolerance, or {} steps of "
+      "dynamics.",
+      statics::usual_cap(Load{}.tolerance), statics::usual_cap(Load{}.tolerance, 3), peridynamics::usual_steps);
+  inner.integer({"max_iterations", most}, load.max_iterations, {0, 1'000'000'000});
+}
+
+void declare_failure(Visitor& inner, Load& load) {
+  inner.number({"max_strain", "Strain at which the test ends."}, load.max_strain, "", range::above(0, 1));
+  inner.number({"end_stress", "The test also ends when the stress has fallen to this fraction of its maximum."},
+               load.end_stress, "", range::above(0, 1));
+  inner.number({"band",
+                "Bonds within this fraction of the one furthest beyond its critical stretch break in one round: "
+                "larger is faster and coarser."},
+               load.band, "", range::between(0, 1));
+  inner.flag(
+      {"cracks_stay_open", "A broken bond is gone; otherwise faces that have parted push where they meet again."},
+      load.cracks_stay_open);
+  inner.section({"toughness",
+                 "Fracture toughness: bonds break at the critical stretch that it sets, which grows as the node "
+                 "spacing to the power -1/2."},
+                [&](Visitor& section) { declare(section, load.toughness); });
+  inner.section({"strength",
+                 "Tensile strength: bonds break at its strain where that is below the critical stretch of the "
+                 "toughness, on any grid."},
+                [&](Visitor& section) { declare(section, load.strength); });
+}
+
 }  // namespace
 
 void declare(Visitor& v, Load& load) {
@@ -137,33 +187,7 @@ void declare(Visitor& v, Load& load) {
           "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample "
           "splits and keeps carrying load: max_strain ends the test."},
          load.failure);
-  v.when(!load.failure, "failure = false", [&](Visitor& inner) {
-    inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "",
-                 range::above(0, 0.5));
-    inner.choice({"method", "What joins the nodes, and how the field at equilibrium is found."}, load.method,
-                 words(load.method));
-    inner.when(load.method == LoadMethod::elements, "method = \"elements\"", [&](Visitor& elements) {
-      elements.choice({"element", "How an element bends."}, load.element, words(load.element));
-      elements.choice({"plane", "What happens across the plane."}, load.plane, words(load.plane));
-      elements.section({"poisson", "Poisson's ratios of elements by phase."},
-                       [&](Visitor& section) { declare(section, load.poisson); });
-      elements.flag({"effective_stiffness",
-                     "Also find the effective stiffness of the sample repeated in all directions, which needs no "
-                     "clamps: three uniform strains in the plane, six in space."},
-                    load.effective_stiffness);
-    });
-    inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
-               load.exact_stretch);
-    inner.flag(
-        {"moduli",
-         "Also load along both axes and in shear, for the apparent moduli and Poisson's ratios between rigid clamps."},
-        load.moduli);
-    static const std::string most = fmt::format(
-        "Iterations after which a solve gives up; 0: {}, in space {}, more for a finer tolerance, or {} steps of "
-        "dynamics.",
-        statics::usual_cap(Load{}.tolerance), statics::usual_cap(Load{}.tolerance, 3), peridynamics::usual_steps);
-    inner.integer({"max_iterations", most}, load.max_iterations, {0, 1'000'000'000});
-  });
+  v.when(!load.failure, "failure = false", [&](Visitor& inner) { declare_strained_once(inner, load); });
   v.when(load.method == LoadMethod::peridynamics, "method = \"peridynamics\"", [&](Visitor& bonds) {
     static const std::string in_space = fmt::format(
         "Horizon of the bonds in space, in voxels: 2 for 32 bonds a voxel, 3 for 122, which cost four times as much. "
@@ -174,26 +198,7 @@ void declare(Visitor& v, Load& load) {
   });
   v.number({"tolerance", "Residual, relative to that of uniform strain, at which equilibrium is reached."},
            load.tolerance, "", range::between(1e-12, 0.1));
-  v.when(load.failure, "failure = true", [&](Visitor& inner) {
-    inner.number({"max_strain", "Strain at which the test ends."}, load.max_strain, "", range::above(0, 1));
-    inner.number({"end_stress", "The test also ends when the stress has fallen to this fraction of its maximum."},
-                 load.end_stress, "", range::above(0, 1));
-    inner.number({"band",
-                  "Bonds within this fraction of the one furthest beyond its critical stretch break in one round: "
-                  "larger is faster and coarser."},
-                 load.band, "", range::between(0, 1));
-    inner.flag(
-        {"cracks_stay_open", "A broken bond is gone; otherwise faces that have parted push where they meet again."},
-        load.cracks_stay_open);
-    inner.section({"toughness",
-                   "Fracture toughness: bonds break at the critical stretch that it sets, which grows as the node "
-                   "spacing to the power -1/2."},
-                  [&](Visitor& section) { declare(section, load.toughness); });
-    inner.section({"strength",
-                   "Tensile strength: bonds break at its strain where that is below the critical stretch of the "
-                   "toughness, on any grid."},
-                  [&](Visitor& section) { declare(section, load.strength); });
-  });
+  v.when(load.failure, "failure = true", [&](Visitor& inner) { declare_failure(inner, load); });
   v.section({"stiffness", "Young's moduli of bonds or elements by type."},
             [&](Visitor& inner) { declare(inner, load.stiffness); });
   v.section({"statistics", "Nodes that the statistics leave out."},
