@@ -36,11 +36,12 @@ void place_in_cycle(Leg& leg, std::int64_t half, bool ends_half) {
   leg.label = fmt::format("cycle {} {}", leg.cycle, leg.at_maximum ? "maximum" : "minimum");
 }
 
+constexpr std::int64_t usually_stored = 20;  // of many cycles, where nothing else is asked for
+
 /// The first cycle is stored, and every so many, and the last.
 template <class AnyCycles> bool is_stored(const AnyCycles& cycles, std::int64_t cycle) {
-  constexpr std::int64_t stored = 20;  // of many cycles, where nothing else is asked for
   return cycle <= 1 || cycle == cycles.count ||
-         cycle % cycles.store_every.value_or((cycles.count + stored - 1) / stored) == 0;
+         cycle % cycles.store_every.value_or((cycles.count + usually_stored - 1) / usually_stored) == 0;
 }
 
 /// A ramp to rest.
@@ -172,11 +173,11 @@ namespace {
 
 /// Of cycles, how many have their states stored.
 void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
-  v.integer(
-      {"store_every",
-       "States are stored every so many cycles, and for the first and the last; unless given, for some twenty of them. "
-       "Curves against cycles contain all."},
-      every, {1, 1'000'000});
+  static const std::string sentence = fmt::format(
+      "States are stored every so many cycles, and for the first and the last; unless given, for about {} of them. "
+      "Curves against cycles contain all.",
+      usually_stored);
+  v.integer({"store_every", sentence}, every, {1, 1'000'000});
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ struct Cycles {
   std::int64_t count = 0;
   std::int64_t increments = 5;              ///< a half cycle
   std::optional<std::int64_t> store_every;  ///< states are stored in the first cycle and every so many; unset: in
-                                            ///< some twenty
+                                            ///< a few
   bool of_pressure = false;                 ///< min and max are in Pa, else in N
   bool operator==(const Cycles&) const = default;
   void declare(ParameterVisitor& visitor);

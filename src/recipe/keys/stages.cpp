@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "grains/dem/membranes/membranes.hpp"
+#include "grains/dem/parts/rough_walls.hpp"
 #include "grains/fields/regime/prediction.hpp"
 #include "grains/fields/regime/until.hpp"
 #include "model/packing.hpp"
@@ -68,20 +69,8 @@ void require_countable_steps(Visitor& v, const Stage& stage, const Recipe& recip
   v.require(wrong.empty(), {"duration", "strain_cycles"}, wrong + ", or raise integration.time_step");
 }
 
-}  // namespace
-
-void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
-  v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
-  v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
-  v.require(std::ranges::count(recipe.stages, stage.name, &Stage::name) <= 1, {"name"},
-            fmt::format("another stage is called \"{}\"; names must differ", stage.name));
-  v.flag({"gravity", "Gravity acts on the grains."}, stage.gravity);
-  v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
-    inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
-    inner.number({"gravity_angle", "Angle of gravity from straight down, counter-clockwise."}, stage.gravity_angle,
-                 "deg", range::any);
-  });
-  const bool in_space = recipe.dimension == 3;
+/// What the sides of the sample do.
+void declare_walls(Visitor& v, Stage& stage, bool in_space) {
   v.section(
       {"slide", "Walls that slide in their own plane; positive: left and right upwards, the others to the right."},
       [&](Visitor& section) {
@@ -89,13 +78,14 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
           inner.number({any_side_names[side], "Sliding velocity."}, stage.slide[side], "mm/s", range::any);
         });
       });
-  v.section(
-      {"rough", "Rough walls: grains nearer than half their radius at the start of the stage move with the wall."},
-      [&](Visitor& section) {
-        declare_every_side(section, in_space, [&](Visitor& inner, std::size_t side) {
-          inner.flag({any_side_names[side], "This wall is rough."}, stage.rough[side]);
-        });
-      });
+  static const std::string rough =
+      fmt::format("Rough walls: grains nearer than {} of their radius at the start of the stage move with the wall.",
+                  dem::rough_reach);
+  v.section({"rough", rough}, [&](Visitor& section) {
+    declare_every_side(section, in_space, [&](Visitor& inner, std::size_t side) {
+      inner.flag({any_side_names[side], "This wall is rough."}, stage.rough[side]);
+    });
+  });
   v.number({"shear_rate",
             "Shear rate du_x/dy of a cell that is periodic in x and y (Lees and Edwards); its top and bottom may also "
             "apply a pressure."},
@@ -119,16 +109,10 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
           range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
   });
-  declare_programmes(v, stage, recipe);
-  declare_openings(v, stage, recipe);
-  v.integer({"increments", "Equal steps in which forces are applied, each ending in equilibrium."}, stage.increments,
-            {1, 1'000'000});
-  v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."},
-           stage.duration, "s", range::above(0, 1e9));
-  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one per increment.", false,
-             "frames"},
-            stage.snapshots, {1, 1'000'000});
-  declare_until(v, stage, recipe);
+}
+
+/// What grains are held back by as they move, and what they weigh.
+void declare_motion(Visitor& v, Stage& stage) {
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
            range::not_negative);
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s",
@@ -155,6 +139,10 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
             "sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at "
             "P/k of 1e-3 or less. Where something drives the sample at least 1 is used."},
            stage.inertial_number, "", range::positive);
+}
+
+/// What joins grains from this stage on.
+void declare_joints(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
   v.require(!stage.glue || recipe.contact.adheres(), {"glue"},
             "no adhesion is defined; set contact.adhesion and contact.surface_energy");
@@ -164,6 +152,34 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
          stage.bond);
   v.require(!stage.bond || recipe.contact.has_bonds(), {"bond"},
             "no bonds are defined; set contact.bonds = \"parallel\"");
+}
+
+}  // namespace
+
+void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
+  v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
+  v.require(std::ranges::count(recipe.stages, stage.name, &Stage::name) <= 1, {"name"},
+            fmt::format("another stage is called \"{}\"; names must differ", stage.name));
+  v.flag({"gravity", "Gravity acts on the grains."}, stage.gravity);
+  v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
+    inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
+    inner.number({"gravity_angle", "Angle of gravity from straight down, counter-clockwise."}, stage.gravity_angle,
+                 "deg", range::any);
+  });
+  declare_walls(v, stage, recipe.dimension == 3);
+  declare_programmes(v, stage, recipe);
+  declare_openings(v, stage, recipe);
+  v.integer({"increments", "Equal steps in which forces are applied, each ending in equilibrium."}, stage.increments,
+            {1, 1'000'000});
+  v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."},
+           stage.duration, "s", range::above(0, 1e9));
+  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one per increment.", false,
+             "frames"},
+            stage.snapshots, {1, 1'000'000});
+  declare_until(v, stage, recipe);
+  declare_motion(v, stage);
+  declare_joints(v, stage, recipe);
   declare_cycles(v, stage, recipe);
   require_boundary_loads(v, stage, recipe);
   declare_exchange(v, stage, recipe);

@@ -14,9 +14,11 @@ namespace {
 constexpr int least_side = 100, longest_side = 4000;
 constexpr PictureSize usual{800, 800}, usual_with_curve{1200, 800};
 
+std::string in_words(const PictureSize& size) { return fmt::format("{}x{}", size.width, size.height); }
+
 bool can_be_shown(int side) { return side >= least_side && side <= longest_side; }
 
-/// "1200x800" as 1200 and 800.
+/// "640x480" as 640 and 480.
 std::optional<PictureSize> size_in(const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) return std::nullopt;
@@ -25,8 +27,8 @@ std::optional<PictureSize> size_in(const std::string& text) {
   return can_be_shown(size.width) && can_be_shown(size.height) ? std::optional(size) : std::nullopt;
 }
 
-const std::string no_size =
-    fmt::format("is not a size; give {} to {} pixels for width and height, e.g. 1200x800", least_side, longest_side);
+const std::string no_size = fmt::format("is not a size; give {} to {} pixels for width and height, e.g. {}", least_side,
+                                        longest_side, in_words(usual_with_curve));
 
 }  // namespace
 
@@ -56,7 +58,9 @@ void declare(ParameterVisitor& v, Animation& animation) {
   v.text({"high", "Upper end of the colour scale, e.g. \"200 kPa\"; taken from the states if not given."},
          animation.high);
   v.number({"fps", "States per second."}, animation.fps, "", range::between(0.01, 100));
-  v.text({"size", "Width and height in pixels; if not given 800x800, with a curve 1200x800."}, animation.size);
+  static const std::string size = fmt::format("Width and height in pixels; if not given {}, with a curve {}.",
+                                              in_words(usual), in_words(usual_with_curve));
+  v.text({"size", size}, animation.size);
   v.require(animation.size.empty() || size_in(animation.size), {"size"}, no_size);
   v.text({"curve",
           "Draw a curve beside the grains, with the current state marked: X,Y, e.g. axial_strain,top_force, or test: "

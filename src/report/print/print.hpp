@@ -7,6 +7,9 @@
 
 namespace arenite::report {
 
+/// How wide figures in print are, m: one and two columns of most journals.
+inline constexpr double column_width = 0.085, page_width = 0.175;
+
 /// Figures of a result or a study as files.
 struct Print {
   std::vector<std::string> formats{"pdf"}, names;

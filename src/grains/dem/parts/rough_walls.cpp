@@ -65,7 +65,7 @@ template <int D> void RoughWallsIn<D>::add_to_walls(SampleIn<D>& s) const {
 
 namespace {
 
-/// Grains nearer to a rough wall than half their radius go with it from now on; one that was held before stays.
+/// Grains nearest to a rough wall go with it from now on; one that was held before stays.
 template <int D> void hold_nearest(SampleIn<D>& s) {
   RoughWallsIn<D>& walls = the<RoughWallsIn<D>>(s);
   std::vector<HeldGrainIn<D>> held;
@@ -75,8 +75,8 @@ template <int D> void hold_nearest(SampleIn<D>& s) {
     for (int side = 0; side < sides_in<D>; ++side) {
       const double plane = s.domain.wall[side].position;
       const Along<D> slid = s.wall[side].slid;
-      if (!s.wall[side].rough || (before ? before->side != side : s.domain.depth(side, d.place) > 1.5 * d.radius))
-        continue;
+      const double reach = (1 + rough_reach) * d.radius;
+      if (!s.wall[side].rough || (before ? before->side != side : s.domain.depth(side, d.place) > reach)) continue;
       held.push_back({d.grain, side, d.place - of_side(side, plane, slid)});
       break;
     }

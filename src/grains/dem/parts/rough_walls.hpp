@@ -38,7 +38,10 @@ template <int D> struct RoughWallsIn : PartOf<D> {
 };
 using RoughWalls = RoughWallsIn<2>;
 
-/// Walls, by side, that hold the grains nearer than half their radius; those of walls that are not named are let go.
+/// Rough walls hold the grains that have less than this share of their radius between them and the wall.
+inline constexpr double rough_reach = 0.5;
+
+/// Walls, by side, that hold the grains nearest to them; those of walls that are not named are let go.
 template <int D>
 void set_rough(SampleIn<D>& sample, const ByAnySide<bool>& rough, const ThreadPool& pool = ThreadPool());
 
