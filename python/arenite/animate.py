@@ -39,7 +39,7 @@ def save(result, path, by=None, *, low=None, high=None, size=None, curve=None, p
     with journal_style(**moving.text_size):
         even = [2 * (n // 2) for n in wanted.size]  # video codecs halve both sides
         beside = curve and moving.Beside(result, curve)
-        pictures = moving.Pictures(shots, wanted.by, wanted.chains, wanted.colour_map, low, high, even, beside)
+        pictures = moving.Pictures(shots, wanted.by, even, wanted.chains, wanted.colour_map, low, high, beside)
         path.parent.mkdir(parents=True, exist_ok=True)
         with written_whole(path) as part:
             write = write_mp4 if path.suffix == ".mp4" else write_gif

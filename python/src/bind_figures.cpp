@@ -132,6 +132,7 @@ void bind_words(py::module_& m) {
   for (const char* name : {"formats", "names", "width"})
     print_words[name] = recipe::help_of(recipe::record_at(print_keys, name)) + ".";
   m.attr("_print_words") = print_words;
+  m.attr("_print_widths") = py::make_tuple(report::column_width, report::page_width);
   m.def(
       "_compared",
       [](const py::dict& head, const py::list& one, const py::list& other) {

@@ -126,7 +126,8 @@ def test_the_same_result_gives_the_same_bytes(result, drawn, tmp_path):
 
 def test_widths_are_those_of_columns(result, tmp_path):
     (one,) = figures.save_all(result, tmp_path, ("svg",), ["coordination"])
-    assert f'width="{72 * figures.column_width:g}pt"' in one.read_text()
+    width = float(re.search(r'<svg [^>]*width="([\d.]+)pt"', one.read_text())[1])
+    assert width / 72 * 25.4 == pytest.approx(85, abs=1e-4)  # mm
 
 
 def test_the_command_draws(result, tmp_path):

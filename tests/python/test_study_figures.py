@@ -1,5 +1,6 @@
 import json
 import os
+import re
 import shutil
 import subprocess
 
@@ -149,7 +150,8 @@ def test_every_figure_of_the_page_is_drawn_in_column_width_with_its_fonts(study,
         if path.suffix == ".pdf":
             assert bytes.startswith(b"%PDF") and (b"/FontFile2" in bytes or b"/Type /Font" not in bytes)
         if path.suffix == ".svg":
-            assert f'width="{72 * figures.column_width:g}pt"' in path.read_text()
+            width = float(re.search(r'<svg [^>]*width="([\d.]+)pt"', path.read_text())[1])
+            assert width / 72 * 25.4 == pytest.approx(85, abs=1e-4)  # mm
 
 
 def test_the_same_study_gives_the_same_bytes(study, tmp_path):

@@ -20,7 +20,7 @@ text_size = {"font.size": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.l
 class Pictures:
     """The states of `shots`; common parts are laid out once. Options as in `arenite.animate.save`."""
 
-    def __init__(self, shots, by, chains=False, colour_map=None, low=None, high=None, size=(800, 800), beside=None):
+    def __init__(self, shots, by, size, chains=False, colour_map=None, low=None, high=None, beside=None):
         self.shots, self.beside, self.drawn = shots, beside, []
         self.figure = Canvas(figsize=(size[0] / dots, size[1] / dots), dpi=dots, layout="constrained")
         FigureCanvasAgg(self.figure)

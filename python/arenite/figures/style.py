@@ -13,7 +13,8 @@ from matplotlib.ticker import ScalarFormatter
 
 from .. import _core
 
-column_width, page_width = 3.35, 6.9  # inches: 85 mm and 175 mm, one and two columns of most journals
+inch = 0.0254  # m
+column_width, page_width = (width / inch for width in _core._print_widths)  # one and two columns of most journals
 
 # What pictures here and on the page have in common: names of kinds, sizes, ends of scales.
 drawn = _core._drawn
