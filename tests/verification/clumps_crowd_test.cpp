@@ -25,18 +25,7 @@ Packing crowd(bool periodic, std::uint64_t seed = 1, int side = 6) {
   return p;
 }
 
-/// The crowd pressed together until every grain touches several others.
-Packing pressed_clumps(bool periodic, int side = 6) {
-  dem::ContactParameters smooth;
-  smooth.friction = 0;
-  smooth.restitution = 0.3;
-  Engine engine(crowd(periodic, 1, side), smooth, {});
-  const double speed = side > 6 ? 100 : 2;
-  set_drives(engine, {moved(speed), moved(-speed), moved(speed), moved(-speed)});
-  while (packing_of(engine).contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
-    engine.advance(50);
-  return packing_of(engine);
-}
+Packing pressed_clumps(bool periodic, int side = 6) { return pressed_together(crowd(periodic, 1, side), side); }
 
 TEST(Clumps, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
   for (const int boundary : {0, 1, 2}) {  // walls, periodic, periodic and sheared

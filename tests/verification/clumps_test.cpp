@@ -11,32 +11,14 @@ namespace {
 
 using dem::Engine;
 
-struct Motion {
-  Vec2 momentum;
-  double angular = 0, kinetic = 0;
-};
-/// About the origin.
-Motion motion_of(const Packing& p) {
-  Motion sum;
-  const Grains& g = p.grains;
-  for (std::size_t k = 0; k < g.size(); ++k) {
-    const double m = mass(p, k), inertia = m * g.shapes.gyration[k] * g.shapes.gyration[k];
-    const Vec2 v = g.velocity[k];
-    sum.momentum += m * v;
-    sum.angular += m * cross(g.position[k], v) + inertia * g.omega[k];
-    sum.kinetic += 0.5 * m * dot(v, v) + 0.5 * inertia * g.omega[k] * g.omega[k];
-  }
-  return sum;
-}
-
 TEST(Clumps, OneThatFliesKeepsMomentumAngularMomentumAndEnergy) {
   Packing p = box(1, 1);
   add(p, Clump{bent, {0.3, 0.4}, 6.2e-3, 0.4, {1.5, -0.7}, 90});
   Engine engine(p, {}, with_step(5e-7));
-  const Motion before = motion_of(packing_of(engine));
+  const MotionOfAll before = motion_of(packing_of(engine));
   engine.advance(20'000);
   const Packing end = packing_of(engine);
-  const Motion after = motion_of(end);
+  const MotionOfAll after = motion_of(end);
   EXPECT_NEAR(end.grains.position[0].x, 0.3 + 0.01 * 1.5, 1e-12);
   EXPECT_NEAR(end.grains.position[0].y, 0.4 - 0.01 * 0.7, 1e-12);
   EXPECT_NEAR(end.grains.angle[0], 0.4 + 0.01 * 90, 1e-11);
@@ -55,12 +37,12 @@ TEST(Clumps, CollisionKeepsMomentumAndAngularMomentum) {
   law.friction = 0.5;
   law.restitution = 0.6;
   Engine engine(p, law, {});
-  const Motion before = motion_of(packing_of(engine));
+  const MotionOfAll before = motion_of(packing_of(engine));
   bool met = false;
   for (int n = 0; n < 400; ++n) {
     engine.advance(20);
     met = met || packing_of(engine).contacts.size() > 0;
-    const Motion now = motion_of(packing_of(engine));
+    const MotionOfAll now = motion_of(packing_of(engine));
     ASSERT_NEAR(now.momentum.x / before.momentum.x, 1, 1e-12);
     ASSERT_NEAR(now.momentum.y / before.momentum.y, 1, 1e-12);
     ASSERT_NEAR(now.angular / before.angular, 1, 1e-12);

@@ -27,23 +27,6 @@ TEST(Polygons, AreaAndInertiaOfARoundedSquareAreTheClosedForm) {
   EXPECT_NEAR(equal.radius.front(), 0.2, 1e-13);
 }
 
-struct Sums {
-  Vec2 momentum;
-  double angular = 0, kinetic = 0;
-};
-Sums motion_of(const Packing& p) {
-  Sums sum;
-  const Grains& g = p.grains;
-  for (std::size_t k = 0; k < g.size(); ++k) {
-    const double m = mass(p, k), inertia = m * g.shapes.gyration[k] * g.shapes.gyration[k];
-    const Vec2 v = g.velocity[k];
-    sum.momentum += m * v;
-    sum.angular += m * cross(g.position[k], v) + inertia * g.omega[k];
-    sum.kinetic += 0.5 * m * dot(v, v) + 0.5 * inertia * g.omega[k] * g.omega[k];
-  }
-  return sum;
-}
-
 TEST(Polygons, CollisionKeepsMomentumAndAngularMomentum) {
   for (const double restitution : {1.0, 0.5}) {
     Packing p = box(1, 1);
@@ -55,12 +38,12 @@ TEST(Polygons, CollisionKeepsMomentumAndAngularMomentum) {
     dem::IntegrationParameters how;
     how.safety = 0.02;
     Engine engine(p, law, how);
-    const Sums before = motion_of(packing_of(engine));
+    const MotionOfAll before = motion_of(packing_of(engine));
     std::size_t most = 0;
     for (int n = 0; n < 800; ++n) {
       engine.advance(20);
       most = std::max(most, packing_of(engine).contacts.size());
-      const Sums now = motion_of(packing_of(engine));
+      const MotionOfAll now = motion_of(packing_of(engine));
       ASSERT_NEAR(now.momentum.x / before.momentum.x, 1, 1e-12);
       ASSERT_NEAR(now.momentum.y / before.momentum.y, 1, 1e-12);
       ASSERT_NEAR(now.angular / before.angular, 1, 1e-12);

@@ -52,4 +52,35 @@ inline void add(Packing& p, const Clump& clump) {
 
 inline const std::vector<Vec2> dumbbell{{-0.8, 0}, {0.8, 0}}, bent{{-1, 0}, {0.2, 0.1}, {0.9, 1.1}};
 
+/// What all grains have together, about the origin.
+struct MotionOfAll {
+  Vec2 momentum;
+  double angular = 0, kinetic = 0;
+};
+inline MotionOfAll motion_of(const Packing& p) {
+  MotionOfAll sum;
+  const Grains& g = p.grains;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const double m = mass(p, k), inertia = m * g.shapes.gyration[k] * g.shapes.gyration[k];
+    const Vec2 v = g.velocity[k];
+    sum.momentum += m * v;
+    sum.angular += m * cross(g.position[k], v) + inertia * g.omega[k];
+    sum.kinetic += 0.5 * m * dot(v, v) + 0.5 * inertia * g.omega[k] * g.omega[k];
+  }
+  return sum;
+}
+
+/// side x side grains pressed together until every one touches several others.
+inline Packing pressed_together(const Packing& crowd, int side) {
+  dem::ContactParameters smooth;
+  smooth.friction = 0;
+  smooth.restitution = 0.3;
+  dem::Engine engine(crowd, smooth, {});
+  const double speed = side > 6 ? 100 : 2;
+  set_drives(engine, {moved(speed), moved(-speed), moved(speed), moved(-speed)});
+  while (packing_of(engine).contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
+    engine.advance(50);
+  return packing_of(engine);
+}
+
 }  // namespace arenite::verification
