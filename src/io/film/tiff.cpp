@@ -122,8 +122,11 @@ class TiffFilm : public KnownFilm {
       info_.remarks.push_back(
           fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", stack.unknown_unit));
     const FrameWords first = words_of_frame(notes);
-    const bool by_pages = images_->behind() == 0, has_words = first.number >= 0 || !first.not_understood.empty();
-    if (by_pages && (std::isfinite(first.time) || (has_words && stack.by.empty()))) read_words(rate_given);
+    const bool by_camera = stack.by.empty();  // ImageJ's fps is the rate at which it plays a film
+    if (by_camera && info_.frame_rate == 0) info_.frame_rate = first.rate;
+    const bool by_pages = images_->behind() == 0,
+               has_words = first.number >= 0 || !first.not_understood.empty() || !first.unknown_rate.empty();
+    if (by_pages && (std::isfinite(first.time) || (has_words && by_camera))) read_words(rate_given);
     else take_stamps(info_, images_->times());
     if (by_pages && info_.time.empty() && info_.number.empty()) tell_date_times();
   }
@@ -241,20 +244,23 @@ class TiffFilmWriter : public FilmWriter {
 const FilmFormat films::tiff{
     .name = "tiff",
     .sentence = "TIFF or BigTIFF",
-    .states = {{"number of images (ImageJ, OME, tifffile)",
-                "used, also where one directory stands for all; refused where the file holds fewer, told where it "
-                "holds more"},
-               {"channels", "one is chosen (--dataset \"channel 2\")"},
-               {"slices beside frames", "refused"},
-               {"frame interval (ImageJ's finterval, OME's TimeIncrement)", "is the frame rate"},
-               {"rate at which ImageJ plays it (fps)", "told, not used"},
-               {"ImageJ's calibration by a straight line, to a unit of temperature", "used; told of another unit"},
-               {"times of frames (OME's DeltaT)", "used"},
-               {"\"time = 33.3 ms\", \"frame 12\", {\"timestamp_s\": 0.4} in the descriptions of pages",
-                "used, as in frames of text"},
-               {"dates and times of pages (DateTime), in whole seconds", "told, not used"},
-               {"orientation other than upright", "refused"},
-               {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
+    .states =
+        {{"number of images (ImageJ, OME, tifffile)",
+          "used, also where one directory stands for all; refused where the file holds fewer, told where it "
+          "holds more"},
+         {"channels", "one is chosen (--dataset \"channel 2\")"},
+         {"slices beside frames", "refused"},
+         {"frame interval (ImageJ's finterval, OME's TimeIncrement)", "is the frame rate"},
+         {"rate at which ImageJ plays it (fps)", "told, not used"},
+         {"ImageJ's calibration by a straight line, to a unit of temperature", "used; told of another unit"},
+         {"times of frames (OME's DeltaT)", "used"},
+         {"\"time = 33.3 ms\", \"frame 12\", {\"timestamp_s\": 0.4} in the descriptions of pages",
+          "used, as in frames of text"},
+         {"\"frame rate = 0.1 kHz\", \"fps: 30\", \"Frame interval [ms]: 33\" in the description of the first page",
+          "used where no time is stated and no rate is given; told where it is not understood"},
+         {"dates and times of pages (DateTime), in whole seconds", "told, not used"},
+         {"orientation other than upright", "refused"},
+         {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 
     .endings = {".tif", ".tiff"},
     .marked = true,

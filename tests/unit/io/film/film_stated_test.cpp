@@ -153,6 +153,19 @@ TEST(StatedFilm, DescriptionsThatThePagesContradict) {
   EXPECT_TRUE(tells(*shown, "7 frames/s"));
 }
 
+TEST(StatedFilm, RateInTheDescriptionOfAPage) {
+  const test::TemporaryFolder folder;
+  const auto opened = [&](const std::string& description) {
+    write_pages(folder / "a.tif", counted(5, 4, 6), description);
+    return open_film(folder / "a.tif");
+  };
+  EXPECT_NEAR(opened("Camera: X\nframe rate = 0.1 kHz\n")->info().frame_rate, 100, 1e-9);
+  EXPECT_NEAR(opened("Frame interval [ms]: 40")->info().frame_rate, 25, 1e-9);
+  const auto other = opened("fps = fast");
+  EXPECT_EQ(other->info().frame_rate, 0);
+  EXPECT_TRUE(tells(*other, "fps = fast"));
+}
+
 // Series
 
 /// Text frames of two pixels, named by `name`.
