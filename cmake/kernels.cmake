@@ -8,6 +8,7 @@ set_source_files_properties(${dem}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS
   COMPILE_OPTIONS "-fno-math-errno;-mavx512f;-mavx512dq;-mavx512vl")
 # GCC 12 warns about its own intrinsics.
 set(own_intrinsics "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
+# Vectors wider than the machine's pass between functions that are always inlined alone.
 set_source_files_properties(src/solid/elements/kernels/portable.cpp PROPERTIES COMPILE_OPTIONS "-Wno-psabi")
 foreach(solid src/solid/peridynamics/kernels src/solid/elements/kernels)
   set_source_files_properties(${solid}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-mavx2;-mfma")

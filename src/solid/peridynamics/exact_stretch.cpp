@@ -31,7 +31,7 @@ void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, cons
 bool leave_free(const Bonds& bonds, const BlockDiagonal<double>& diagonal, const Field<double>& before,
                 const Field<double>& after, statics::FreeMotions<2>& free) {
   const Grid& grid = bonds.grid;
-  Field<double> motion = after, f(grid.padded_size());
+  Field<double> motion(grid.padded_size()), f(grid.padded_size());
   grid.each([&](std::ptrdiff_t i, int) { motion.set(i, after.at(i) - before.at(i)); });
   free.leave_out(grid, motion);
   double held = 0;
