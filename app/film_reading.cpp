@@ -1,14 +1,6 @@
 #include "film_reading.hpp"
 
-#include <fmt/core.h>
-
-#include <filesystem>
-
-#include "core/median.hpp"
-#include "io/film/formats.hpp"
-#include "io/film/written_format.hpp"
 #include "print.hpp"
-#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 
@@ -35,33 +27,5 @@ void tell_remarks(const std::string& file, const FilmInfo& film) {
 }
 
 std::string unit_of(const FilmInfo& film) { return film.quantity == FilmQuantity::kelvin ? "K" : "level"; }
-
-Numbers medians(const FilmMaps& maps, const FilmInfo& film) {
-  Numbers all = Numbers::tree();
-  for (const auto& [name, unit, values] : maps.maps) {
-    if (values->empty()) continue;
-    const std::string own = *unit == 'K' ? unit_of(film) + (unit + 1) : unit;
-    all[name] = statistics::described(median_of_finite(*values), own.c_str(),
-                                      fmt::format("Median of the map \"{}\" over all pixels", name).c_str());
-  }
-  return all;
-}
-
-void write_maps(const std::string& folder, const std::vector<recipe::Given>& written, const FilmMaps& maps) {
-  io::WrittenMaps asked;
-  read_options(asked, written);
-  workflow::make_folder(folder);
-  const std::string ending(io::format_named(io::films::all, asked.format)->endings[0]);
-  for (const auto& [name, unit, values] : maps.maps) {
-    if (values->empty()) continue;
-    Film film;
-    film.about.width = maps.width;
-    film.about.height = maps.height;
-    film.about.frames = 1;
-    film.about.floating = true;
-    film.value = *values;
-    io::write_film(std::filesystem::path(folder) / (std::string(name) + ending), film);
-  }
-}
 
 }  // namespace arenite::app

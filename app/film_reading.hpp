@@ -5,7 +5,6 @@
 #include "io/film/film.hpp"
 #include "options.hpp"
 #include "recipe/film_recipe.hpp"
-#include "statistics/numbers.hpp"
 
 namespace arenite::app {
 
@@ -27,22 +26,5 @@ void tell_remarks(const std::string& file, const FilmInfo& film);
 
 /// "K" or "level".
 std::string unit_of(const FilmInfo& film);
-
-/// Maps of a film, one number a pixel, with the names of their files and their units for a film in kelvin.
-struct FilmMaps {
-  struct Map {
-    const char *name, *unit;
-    const std::vector<float>* values;
-  };
-  int width = 0, height = 0;
-  std::vector<Map> maps;  ///< empty ones are left out
-};
-
-/// The median of every map over its pixels, in the unit of the film.
-Numbers medians(const FilmMaps& maps, const FilmInfo& film);
-
-/// Writes every map into the folder, which is made: NAME with the first ending of the format.
-/// `written`: what is given of io::WrittenMaps.
-void write_maps(const std::string& folder, const std::vector<recipe::Given>& written, const FilmMaps& maps);
 
 }  // namespace arenite::app

@@ -7,13 +7,10 @@
 #include <numbers>
 
 #include "commands.hpp"
-#include "core/thread_count.hpp"
-#include "film_reading.hpp"
-#include "io/film/written_format.hpp"
+#include "film_maps.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
 #include "progress.hpp"
-#include "statistics/numbers_text.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/film_checks.hpp"
 #include "thermal/thermography/judge_amplitude.hpp"
@@ -25,15 +22,11 @@ namespace {
 
 using statistics::described;
 
-struct LockinArguments {
-  std::string film, out;
-  KeyOptions written{recipe::every_key<io::WrittenMaps>()};
-  FilmReading reading;
+struct LockinArguments : MapsOfFilm {
   KeyOptions keys{recipe::every_key<recipe::LockinAlone>()};
   recipe::LockinAlone section;  ///< what they say
   thermography::LockinOptions options;
-  int threads = Threads{}.threads;
-  bool by_lock_in_line = false, json = false, quiet = false;
+  bool by_lock_in_line = false;
   bool is_nearest_bin() const { return section.method == recipe::LockinSection::Method::nearest_bin; }
 };
 
@@ -71,8 +64,6 @@ thermography::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
 Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film,
                 const thermography::Adiabatic& heat) {
   Numbers j = workflow::lockin_numbers(m, unit_of(film));
-  j["width"] = described(m.width, "", "Pixels along x");
-  j["height"] = described(m.height, "", "Pixels along y");
   j["method"] = a.is_nearest_bin() ? "nearest_bin" : "least_squares";
   j["reference"] = a.by_lock_in_line ? "the film's lock-in line"
                    : a.options.reference_phase
@@ -80,7 +71,7 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
                        : "found on the film; its sign is such that pixels warm with the load on "
                          "average";
   const std::vector<float> phase = phase_in_degrees(m);
-  j["median"] = medians(maps_of(m, phase), film);
+  a.describe(j, maps_of(m, phase), film);
   j["diffusion_length_m"] = described(heat.length, "m", "Length over which heat diffuses within a cycle");
   if (heat.pixel <= 0) return j;
   j["adiabatic"] = described(heat.holds(), "", "Whether that is below a fifth of a pixel");
@@ -89,42 +80,39 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
   return j;
 }
 
+/// The film's own signal of the load, where it has one, gives frequency and reference.
+void follow_load_signal(LockinArguments& a, const FilmInfo& film, ProgressLine& line) {
+  thermography::LockinOptions& o = a.options;
+  const auto load =
+      workflow::load_signal_of(a.film, film, o.frequency, [&](const std::string& sentence) { line.notice(sentence); });
+  if (!load) return;
+  o.frequency = load->frequency;
+  if (!o.reference_phase) o.reference_phase = load->phase, a.by_lock_in_line = true;
+}
+
 int execute(LockinArguments& a) {
   read_options(a.section, a.keys.given());
   tell_bare_phase(a.keys.text("phase"));
   thermography::LockinOptions& o = a.options;
   o = a.section.options();
   o.threads = a.threads;
-  const auto film = io::open_film(a.film, a.reading.choice());
-  tell_remarks(a.film, film->info());
-  watch_for_signals();
-  LockinMaps maps;
-  try {
-    ProgressLine line(a.quiet || a.json);
-    if (const auto load = workflow::load_signal_of(a.film, film->info(), o.frequency,
-                                                   [&](const std::string& sentence) { line.notice(sentence); })) {
-      o.frequency = load->frequency;
-      if (!o.reference_phase) o.reference_phase = load->phase, a.by_lock_in_line = true;
-    }
+  const auto film = a.open();
+  const LockinMaps maps = a.made([&](ProgressLine& line) {
+    follow_load_signal(a, film->info(), line);
     o.progress = frames_progress(line);
-    maps = a.is_nearest_bin() ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
-  } catch (const InputError& error) { throw in_file(error, a.film); }
-  if (maps.size() == 0) {
-    print(stderr, "stopped; nothing was stored\n");
-    return other_failure;
-  }
-  if (!a.out.empty()) write_maps(a.out, a.written.given(), maps_of(maps, phase_in_degrees(maps)));
-  if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
-  if (!thermography::shows_load(maps))
-    print(stderr, "{}: {}\n", a.film, thermography::no_load_sentence(maps, maps.frequency, "--frequency"));
+    return a.is_nearest_bin() ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
+  });
+  if (maps.size() == 0) return other_failure;
+  a.write(maps_of(maps, phase_in_degrees(maps)));
+  if (!maps.blank.empty()) a.tell(thermography::blank_frames_sentence(maps.blank));
+  if (!thermography::shows_load(maps)) a.tell(thermography::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
-    print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film,
-          maps.other_frequency, maps.frequency);
-  for (const std::string& sentence : maps.disturbances) print(stderr, "{}: {}\n", a.film, sentence);
+    a.tell(fmt::format("the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it", maps.other_frequency,
+                       maps.frequency));
+  for (const std::string& sentence : maps.disturbances) a.tell(sentence);
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) print(stderr, "{}\n", heat.sentence());
-  const Numbers found = numbers(maps, a, film->info(), heat);
-  print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
+  a.print_numbers(numbers(maps, a, film->info(), heat));
   return done;
 }
 
@@ -132,10 +120,9 @@ int execute(LockinArguments& a) {
 
 void add_lockin(Options& command, int& status) {
   const auto a = std::make_shared<LockinArguments>();
-  command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
+  a->add_film(command, "Film of a cyclically loaded sample");
   a->keys.add(command, "--frequency", "frequency").required().type("FREQUENCY");
-  command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
-  a->written.add(command, "--format", "format");
+  a->add_out(command);
   a->keys.add(command, "--drift", "drift");
   a->keys.add(command, "--harmonics", "harmonics");
   a->keys.add(command, "--convention", "convention");
@@ -144,10 +131,7 @@ void add_lockin(Options& command, int& status) {
   a->keys.add_word(command, "--no-refinement", "refine", "false");
   a->keys.add(command, "--diffusivity", "diffusivity");
   a->keys.add(command, "--pixel", "pixel").type("LENGTH");
-  a->reading.add_to(command);
-  add_threads(command, a->threads);
-  add_json(command, a->json);
-  add_quiet(command, a->quiet);
+  a->add_others(command);
   command.work = [a, &status] { status = execute(*a); };
 }
 

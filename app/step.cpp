@@ -1,13 +1,7 @@
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "commands.hpp"
-#include "core/thread_count.hpp"
-#include "film_reading.hpp"
-#include "io/film/written_format.hpp"
-#include "print.hpp"
-#include "progress.hpp"
+#include "film_maps.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/step/step_load.hpp"
 #include "workflow/film/map_numbers.hpp"
@@ -15,16 +9,9 @@
 namespace arenite::app {
 namespace {
 
-using statistics::described;
-
-struct StepArguments {
-  std::string film, out;
-  KeyOptions written{recipe::every_key<io::WrittenMaps>()};
-  FilmReading reading;
+struct StepArguments : MapsOfFilm {
   KeyOptions keys{recipe::every_key<recipe::StepSection>()};
   thermography::StepOptions options;
-  int threads = Threads{}.threads;
-  bool json = false, quiet = false;
 };
 
 FilmMaps maps_of(const thermography::StepMaps& m) {
@@ -41,10 +28,8 @@ FilmMaps maps_of(const thermography::StepMaps& m) {
 Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const FilmInfo& film) {
   Numbers j = workflow::step_numbers(m);
   j["time"] = a.options.time ? "given" : "found on the film";
-  j["width"] = described(m.width, "", "Pixels along x");
-  j["height"] = described(m.height, "", "Pixels along y");
   j["unit"] = unit_of(film);
-  j["median"] = medians(maps_of(m), film);
+  a.describe(j, maps_of(m), film);
   return j;
 }
 
@@ -54,24 +39,16 @@ int execute(StepArguments& a) {
   read_options(section, a.keys.given());
   o = section.options();
   o.threads = a.threads;
-  const auto film = io::open_film(a.film, a.reading.choice());
-  tell_remarks(a.film, film->info());
-  watch_for_signals();
-  thermography::StepMaps maps;
-  try {
-    ProgressLine line(a.quiet || a.json);
+  const auto film = a.open();
+  const thermography::StepMaps maps = a.made([&](ProgressLine& line) {
     o.progress = frames_progress(line);
-    maps = thermography::step_load(*film, o);
-  } catch (const InputError& error) { throw in_file(error, a.film); }
-  if (maps.size() == 0) {
-    print(stderr, "stopped; nothing was stored\n");
-    return other_failure;
-  }
-  if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
-  for (const std::string& doubt : maps.doubts) print(stderr, "{}: {}\n", a.film, doubt);
-  if (!a.out.empty()) write_maps(a.out, a.written.given(), maps_of(maps));
-  const Numbers found = numbers(maps, a, film->info());
-  print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
+    return thermography::step_load(*film, o);
+  });
+  if (maps.size() == 0) return other_failure;
+  if (!maps.blank.empty()) a.tell(thermography::blank_frames_sentence(maps.blank));
+  for (const std::string& doubt : maps.doubts) a.tell(doubt);
+  a.write(maps_of(maps));
+  a.print_numbers(numbers(maps, a, film->info()));
   return done;
 }
 
@@ -79,15 +56,11 @@ int execute(StepArguments& a) {
 
 void add_step(Options& command, int& status) {
   const auto a = std::make_shared<StepArguments>();
-  command.add("film", a->film, "Film of a sample whose load steps once").required().type("FILM");
+  a->add_film(command, "Film of a sample whose load steps once");
   for (const char* key : {"time", "rise", "window"}) a->keys.add(command, option_name(key), key).type("TIME");
   a->keys.add(command, "--drift", "drift");
-  command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
-  a->written.add(command, "--format", "format");
-  a->reading.add_to(command);
-  add_threads(command, a->threads);
-  add_json(command, a->json);
-  add_quiet(command, a->quiet);
+  a->add_out(command);
+  a->add_others(command);
   command.work = [a, &status] { status = execute(*a); };
 }
 

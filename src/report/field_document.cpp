@@ -122,6 +122,7 @@ void add_comparison(Numbers& out, const stress::SampleMeans& means) {
   out["relative"] = {{"symbol", std::string(relative_stress.symbol)},
                      {"formula", std::string(relative_stress.formula)}};
   out["scale"] = means.scale();
+  if (const FieldQuantity* by = means.strongest()) out["acts_by"] = std::string(by->id);
 }
 
 /// Nodes, radii of disks of the same area, centres, mean stresses and extremes of all grains; no stresses without a

@@ -54,46 +54,9 @@ Packing crowd(bool periodic, std::uint64_t seed = 1, int side = 6) {
 
 Packing squeezed_crowd(bool periodic, int side = 6) { return pressed_together(crowd(periodic, 1, side), side); }
 
-TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
-  for (const int boundary : {0, 1, 2}) {  // walls, periodic, periodic and sheared
-    dem::ContactParameters law;
-    law.friction = 0.4;
-    law.restitution = 0.4;
-    dem::IntegrationParameters how;
-    how.safety = 1.0 / 500;
-    how.track_energy = true;
-    Engine engine(squeezed_crowd(boundary > 0), law, how);
-    set_drives(engine, {moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
-    if (boundary == 2) set_shear_rate(engine, 30);
-    const Energies before = energies_of(engine);
-    engine.advance(15'000);
-    const Energies after = energies_of(engine);
-    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
-                 work = after.work_walls - before.work_walls;
-    const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
-    EXPECT_GT(after.dissipated_friction, 0);
-    EXPECT_GT(after.elastic, 5 * before.elastic);
-    EXPECT_NEAR((stored + lost - work) / work, 0, 1e-6)
-        << boundary << " work " << work << " lost " << lost << " stored " << stored;
-  }
-}
+TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) { expect_energy_is_closed(squeezed_crowd); }
 
-TEST(Polygons, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
-  const Packing p = squeezed_crowd(true, 48);  // enough for two threads
-  std::uint64_t hash = 0;
-  for (const char* kernel : {"portable", "auto"})
-    for (const int threads : {1, 2}) {
-      dem::IntegrationParameters how;
-      how.threads = threads;
-      how.kernel = kernel;
-      Engine engine(p, {}, how);
-      set_drives(engine, {moved(5), moved(-5), moved(5), moved(-5)});
-      engine.advance(300);
-      if (hash == 0) hash = state_hash(engine);
-      EXPECT_EQ(state_hash(engine), hash) << kernel << " " << threads;
-      EXPECT_GT(packing_of(engine).contacts.size(), 1000U);
-    }
-}
+TEST(Polygons, SameBitsOnOneAndTwoThreadsAndForEveryKernel) { expect_same_bits(squeezed_crowd(true, 48)); }
 
 TEST(Polygons, AStateThatIsSavedAndRestoredGoesOnWithTheSameBits) {
   const Packing p = squeezed_crowd(true);

@@ -83,4 +83,46 @@ inline Packing pressed_together(const Packing& crowd, int side) {
   return packing_of(engine);
 }
 
+/// Of a crowd of 36 between walls or in a periodic cell, pressed by them or sheared with it.
+inline void expect_energy_is_closed(Packing (*pressed)(bool periodic, int side)) {
+  for (const int boundary : {0, 1, 2}) {  // walls, periodic, periodic and sheared
+    dem::ContactParameters law;
+    law.friction = 0.4;
+    law.restitution = 0.4;
+    dem::IntegrationParameters how;
+    how.safety = 1.0 / 500;
+    how.track_energy = true;
+    dem::Engine engine(pressed(boundary > 0, 6), law, how);
+    set_drives(engine, {moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
+    if (boundary == 2) set_shear_rate(engine, 30);
+    const Energies before = energies_of(engine);
+    engine.advance(15'000);
+    const Energies after = energies_of(engine);
+    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
+                 work = after.work_walls - before.work_walls;
+    const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
+    EXPECT_GT(after.dissipated_friction, 0);
+    EXPECT_GT(after.elastic, 5 * before.elastic);
+    EXPECT_NEAR((stored + lost - work) / work, 0, 1e-6)
+        << boundary << " work " << work << " lost " << lost << " stored " << stored;
+  }
+}
+
+/// Of a crowd that is large enough for two threads.
+inline void expect_same_bits(const Packing& crowd) {
+  std::uint64_t hash = 0;
+  for (const char* kernel : {"portable", "auto"})
+    for (const int threads : {1, 2}) {
+      dem::IntegrationParameters how;
+      how.threads = threads;
+      how.kernel = kernel;
+      dem::Engine engine(crowd, {}, how);
+      set_drives(engine, {moved(5), moved(-5), moved(5), moved(-5)});
+      engine.advance(300);
+      if (hash == 0) hash = state_hash(engine);
+      EXPECT_EQ(state_hash(engine), hash) << kernel << " " << threads;
+      EXPECT_GT(packing_of(engine).contacts.size(), 1000U);
+    }
+}
+
 }  // namespace arenite::verification

@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/named_columns.hpp"
 #include "io/table/comment_units.hpp"
 #include "io/table/table.hpp"
 

@@ -166,13 +166,4 @@ inline bool is_radius_of(double radius, double diameter) {
   return std::abs(diameter - 2 * radius) <= 1e-3 * std::abs(diameter);
 }
 
-/// The note that a unit was assumed: of "length" m, unless the option `other` or the header of a column says otherwise.
-std::string assumed_unit(const SampleOptions& options, const char* what, const char* si, const char* other,
-                         const char* column = "");
-
-/// The rows of a table with columns x, y, radius (or diameter) and perhaps z, id, material and zone; without ids grains
-/// are numbered from 0. In space (`SampleOptions::dimension`) z is needed, too. `needed` goes on in the problem of a
-/// column that lacks. A column's own unit wins over that of the options.
-RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems);
-
 }  // namespace arenite::io

@@ -14,6 +14,7 @@
 #include "core/text.hpp"
 #include "io/sample/formats.hpp"
 #include "io/sample/lammps_dump.hpp"
+#include "io/sample/named_columns.hpp"
 #include "io/sample/pair_columns.hpp"
 
 namespace arenite::io {

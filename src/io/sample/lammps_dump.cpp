@@ -1,4 +1,5 @@
 #include "io/sample/lammps_dump.hpp"
+#include "io/sample/named_columns.hpp"
 
 #include <algorithm>
 #include <array>

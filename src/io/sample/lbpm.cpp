@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "geometry/cell_grid.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/named_columns.hpp"
 
 namespace arenite::io {
 namespace {

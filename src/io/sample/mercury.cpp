@@ -10,6 +10,7 @@
 
 #include "core/text.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/named_columns.hpp"
 
 namespace arenite::io {
 namespace {

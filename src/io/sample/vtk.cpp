@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "io/disk/byte_source.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/named_columns.hpp"
 
 namespace arenite::io {
 namespace {

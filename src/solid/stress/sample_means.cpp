@@ -64,12 +64,20 @@ double SampleMeans::of(const FieldQuantity& quantity) const {
   return nodes > 0 ? sum / nodes : statistics::unknown;
 }
 
-double SampleMeans::scale() const {
+const FieldQuantity* SampleMeans::strongest() const {
+  const FieldQuantity* strongest = nullptr;
   double largest = 0;
-  for (const FieldQuantity& quantity : field_quantities())
-    if (quantity.is_stored() && quantity.unit == "Pa" && has(sample_.field, quantity))
-      largest = std::fmax(largest, std::abs(of(quantity)));
-  return largest > 0 ? largest : 1;
+  for (const FieldQuantity& quantity : field_quantities()) {
+    if (!quantity.is_stored() || quantity.unit != "Pa" || !has(sample_.field, quantity)) continue;
+    const double size = std::abs(of(quantity));
+    if (size > largest) largest = size, strongest = &quantity;
+  }
+  return strongest;
+}
+
+double SampleMeans::scale() const {
+  const FieldQuantity* by = strongest();
+  return by ? std::abs(of(*by)) : 1;
 }
 
 double sample_mean(const VoxelResult& sample, const VoxelQuantity& quantity) {

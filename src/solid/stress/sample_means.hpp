@@ -19,8 +19,10 @@ class SampleMeans {
   /// The sample has to outlive it.
   explicit SampleMeans(const FieldResult& sample) : sample_(sample) {}
   double of(const FieldQuantity& quantity) const;  ///< not a number where the field has it not
-  /// What a strong stress is measured by, Pa: the largest size of a component's mean, which is that of the shear stress
-  /// where the sample is sheared; 1 where there is none.
+  /// The component of stress of the largest mean, by which the load acts: sigma_yy in tension along the clamps, the
+  /// shear stress where the sample is sheared. Null where there is none.
+  const FieldQuantity* strongest() const;
+  /// What a strong stress is measured by, Pa: the size of that mean; 1 where there is none.
   double scale() const;
 
  private:

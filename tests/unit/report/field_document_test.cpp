@@ -61,6 +61,18 @@ TEST(FieldDocument, SaysHowAStressIsToldAgainstTheMean) {
   EXPECT_EQ(document["fields"][0]["scale"], 1);
 }
 
+TEST(FieldDocument, BeginsWithTheComponentByWhichTheLoadActs) {
+  recipe::Load load;
+  load.name = "shear";
+  load.loading = statics::Loading::shear;
+  const auto sheared = workflow::apply_load(load, field_sample().cement, {});
+  ASSERT_TRUE(sheared);
+  const FieldResult both[] = {field_sample().load, *sheared};
+  const Json fields = Json::parse(report::page_document({.title = "two", .fields = both}).json)["fields"];
+  EXPECT_EQ(fields[0]["acts_by"], "yy");
+  EXPECT_EQ(fields[1]["acts_by"], "xy");
+}
+
 TEST(FieldDocument, MeasuresDensitiesAsTheLoadsStatisticsAsk) {
   const Json document = Json::parse(report::page_document(field_sample().data).json);
   EXPECT_FALSE(document["fields"][0]["figures"].contains("stress-pdf"));

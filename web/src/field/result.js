@@ -73,6 +73,11 @@ export class FieldResult extends DescribedResult {
     return this.about.scale;
   }
 
+  /** The component of stress by which the load acts. */
+  get actsBy() {
+    return this.about.acts_by ?? "yy";
+  }
+
   /** A stress against the mean of the sample, [symbol, number]: `of(id)` at a node or of a grain. */
   relative(of) {
     const { symbol, formula } = this.about.relative;

@@ -5,11 +5,9 @@ import { usualClip } from "./scale.js";
 
 /** What the reader may choose on the section of one result. */
 function choices(result) {
-  const mean = result.mean ?? 0,
-    tension = Math.abs(mean) > 0.3 * result.scale;
   return {
     show: result.loaded && !result.cracks ? "field" : "phases",
-    component: tension ? "yy" : "xy",
+    component: result.actsBy,
     around: "mean",
     law: "linear",
     clip: usualClip("nodes"),
