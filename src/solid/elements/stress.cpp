@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/pages.hpp"
 #include "core/vec.hpp"
 
 namespace arenite::elements {
@@ -77,7 +78,7 @@ StressIn<D> element_stress(const MapIn<D>& map, const ElementsIn<D>& elements, c
   StressIn<D> field;
   set_size(field, map);
   const auto arrays = arrays_of(field);
-  for (auto* values : arrays) values->assign(map.size(), 0);
+  for (auto* values : arrays) reserve_in_large_pages(*values, map.size()), values->assign(map.size(), 0);
   using Number = typename std::remove_reference_t<decltype(*arrays[0])>::value_type;
   const auto added = amplitudes_of<D>(strain, map.dx);
   elements.each_shared([&](int x, int y, int z) {

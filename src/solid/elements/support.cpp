@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/joined_sets.hpp"
+#include "core/pages.hpp"
 #include "solid/statics/halo.hpp"
 
 namespace arenite::elements {
@@ -102,7 +103,7 @@ std::unordered_map<std::int32_t, bool> endless_parts(Seams seams) {
 template <int D> statics::Support prune(ElementsIn<D>& elements, Buffer<Tie>& tie) {
   const Grid& grid = elements.grid;
   JoinedSets sets = parts_of(elements);
-  std::vector<std::uint8_t> ties(elements.count(), 0);
+  Buffer<std::uint8_t> ties(elements.count());
   const int top = elements.cells[D - 1] - 1;
   const auto hold = [&](int level, Tie by) {
     elements.each_between(level, level + 1, [&](int x, int y, int z) {

@@ -134,8 +134,8 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates
             sum.add_inner_node(i, x - x0, y - y0, bonds.modulus(particle_bond), own);
           else sum.add_node(i, x - x0, y - y0, own);
         }
-  for (auto* list : {&sum.selves(), &sum.crosses()})
-    for (Coupling& c : *list) c.block[2] = c.block[1];
+  for (Coupling& c : sum.selves()) c.block[2] = c.block[1];
+  for (Coupling& c : sum.crosses()) c.block[2] = c.block[1];
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[y] == y_prescribed)
       for (int x = 0; x < grid.width; ++x)

@@ -26,7 +26,7 @@ template <int D>
 CoarseMatrix<D>::CoarseMatrix(const BlockMatrix& matrix, const ThreadPool* pool)
     : n_(static_cast<std::size_t>(matrix.columns())),
       column_begin_(matrix.column_begin),
-      row_(matrix.row),
+      row_(matrix.row.begin(), matrix.row.end()),
       value_(matrix.value.size() + behind),
       pool_(pool) {
   std::transform(matrix.value.begin(), matrix.value.end(), value_.begin(),

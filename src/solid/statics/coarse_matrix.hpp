@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/lanes.hpp"
+#include "core/pages.hpp"
 #include "solid/statics/cholesky.hpp"
 #include "solid/statics/pool.hpp"
 
@@ -35,8 +36,9 @@ template <int D> class CoarseMatrix {
   void add_product(const std::vector<Four>& x, Stretch& stretch) const;
 
   std::size_t n_;
-  std::vector<std::int32_t> column_begin_, row_;
-  std::vector<float> value_, inverse_;  ///< D^2 a block
+  std::vector<std::int32_t> column_begin_;
+  Buffer<std::int32_t> row_;
+  Buffer<float> value_, inverse_;  ///< D^2 a block
   std::vector<Stretch> stretches_;
   const ThreadPool* pool_;
 };

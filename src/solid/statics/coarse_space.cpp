@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/joined_sets.hpp"
+#include "core/pages.hpp"
 #include "solid/statics/cholesky.hpp"
 #include "solid/statics/couplings.hpp"
 
@@ -137,18 +138,20 @@ template <int D> BlockMatrix CoarseSpaceIn<D>::pattern(const GalerkinSums<D>& su
   std::vector<std::int64_t> begin(columns + 1, 0);
   each([&](std::size_t column, std::int32_t) { ++begin[column + 1]; });
   for (std::size_t k = 0; k < columns; ++k) begin[k + 1] += begin[k];
-  std::vector<std::int32_t> rows(static_cast<std::size_t>(begin[columns]));
+  Buffer<std::int32_t> rows(static_cast<std::size_t>(begin[columns]));
   auto at = begin;
   each([&](std::size_t column, std::int32_t row) { rows[static_cast<std::size_t>(at[column]++)] = row; });
   BlockMatrix matrix;
   matrix.side = D;
   matrix.column_begin.assign(1, 0);
+  reserve_in_large_pages(matrix.row, rows.size());
   for (std::size_t k = 0; k < columns; ++k) {
     const auto first = rows.begin() + begin[k], last = rows.begin() + begin[k + 1];
     std::sort(first, last);
     matrix.row.insert(matrix.row.end(), first, std::unique(first, last));
     matrix.column_begin.push_back(static_cast<std::int32_t>(matrix.row.size()));
   }
+  reserve_in_large_pages(matrix.value, D * D * matrix.row.size());
   matrix.value.assign(D * D * matrix.row.size(), 0.0);
   return matrix;
 }

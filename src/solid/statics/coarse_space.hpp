@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/pages.hpp"
 #include "solid/statics/aggregates.hpp"
 #include "solid/statics/cholesky.hpp"
 #include "solid/statics/coarse_cycle.hpp"
@@ -67,7 +68,7 @@ template <int D> class CoarseSpaceIn {
   Aggregates aggregates_;
   std::int32_t nodes_ = 0;
   std::vector<std::int32_t> corner_;  ///< coarse node of corner a of aggregate p at 2^D p + a
-  std::vector<Run> runs_;
+  Buffer<Run> runs_;
   std::vector<std::size_t> layer_begin_{0};  ///< the first run of every layer of cells, and the end
   const ThreadPool* pool_;
   std::optional<Cholesky> factor_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/lanes.hpp"
+#include "core/pages.hpp"
 #include "solid/statics/aggregates.hpp"
 
 namespace arenite::statics {
@@ -34,7 +35,7 @@ template <int D> class CouplingSumIn {
   explicit CouplingSumIn(std::size_t aggregates, bool with_selves = true);
   CouplingIn<D>& self(std::int32_t p) { return self_[static_cast<std::size_t>(p)]; }
   std::vector<CouplingIn<D>>& selves() { return self_; }
-  std::vector<CouplingIn<D>>& crosses() { return cross_; }
+  Buffer<CouplingIn<D>>& crosses() { return cross_; }
   /// Of p with q, in this order; added where there is none.
   CouplingIn<D>& between(std::int32_t p, std::int32_t q);
   /// Empty as at first, with its memory.
@@ -43,7 +44,8 @@ template <int D> class CouplingSumIn {
   std::vector<CouplingIn<D>> taken();
 
  private:
-  std::vector<CouplingIn<D>> self_, cross_;
+  std::vector<CouplingIn<D>> self_;
+  Buffer<CouplingIn<D>> cross_;
   std::vector<std::int32_t> other_;          ///< q of each of cross_
   std::vector<std::int32_t> latest_, next_;  ///< of each aggregate's couplings, the newest; they form a chain
 };
