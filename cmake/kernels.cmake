@@ -25,8 +25,6 @@ set_source_files_properties(
   src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp src/thermal/optics/lens.cpp
   PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-O3;-fno-trapping-math;-falign-loops=32")
-set_source_files_properties(src/thermal/thermography/level_jumps.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
-  COMPILE_OPTIONS "-O3")
 if(ARENITE_SANITIZE)
   foreach(room ${dem} src/solid/peridynamics/kernels src/solid/elements/kernels ${film})
     set_source_files_properties(${room}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/mapped.hpp"
@@ -104,11 +105,26 @@ std::vector<std::int64_t> blank_frames(FilmSource& film) {
   return lost.all();
 }
 
-bool may_lack_frames(const SegmentSums& s) {
+MissingPixels missing_pixels(const SegmentSums& s, const ThreadPool& pool) {
   const SegmentView view = s.view();
-  for (std::size_t p = 0; p < s.pixels; ++p)
-    for (std::size_t k = 0; k < s.segments(); ++k)
-      if (!std::isfinite(s.sums[view.at(p, k, 0)])) return true;
+  const auto of_chunk = [&](std::size_t c, MissingPixels& missing) {
+    std::array<std::uint32_t, chunk> numbers{};  // segments in which a pixel is one
+    for (std::size_t k = 0; k < s.segments(); ++k) {
+      const float* const sum = view.sums + view.at(c * chunk, k, 0);
+      for (std::size_t i = 0; i < chunk; ++i) numbers[i] += std::isfinite(sum[i]) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < std::min(chunk, s.pixels - c * chunk); ++i)
+      if (numbers[i] == 0) ++missing.empty;
+      else if (numbers[i] < s.segments()) ++missing.failing;
+  };
+  MissingPixels all{s.pixels};
+  for (const MissingPixels& some : pool.by_blocks<MissingPixels>((s.pixels + chunk - 1) / chunk, 64, of_chunk))
+    all.empty += some.empty, all.failing += some.failing;
+  return all;
+}
+
+bool may_lack_frames(const SegmentSums& s, const MissingPixels& missing) {
+  if (missing.empty > 0 || missing.failing > 0) return true;
   const std::size_t frames = s.time.size(), watched = s.watched.size();
   const auto value = [&](std::size_t i, std::size_t n) { return s.seen[i * frames + n] + s.base[s.watched[i]]; };
   for (std::size_t n = 0; n < frames; ++n) {
@@ -123,21 +139,14 @@ bool may_lack_frames(const SegmentSums& s) {
   return false;
 }
 
-void tell_failing_pixels(const SegmentSums& s, LockinMaps& maps) {
-  const SegmentView view = s.view();
-  std::size_t failing = 0, empty = 0;
-  for (std::size_t p = 0; p < s.pixels; ++p) {
-    std::size_t there = 0;
-    for (std::size_t k = 0; k < s.segments(); ++k) there += std::isfinite(s.sums[view.at(p, k, 0)]) ? 1 : 0;
-    failing += there > 0 && there < s.segments() ? 1 : 0;
-    empty += there == 0 ? 1 : 0;
-  }
-  if (empty > 0 && empty < s.pixels)
+void tell_failing_pixels(const MissingPixels& missing, LockinMaps& maps) {
+  if (missing.empty > 0 && missing.empty < missing.pixels)
     maps.disturbances.push_back(
-        fmt::format("{} of {} pixels are no numbers in any frame and show nothing", empty, s.pixels));
-  if (failing > 0)
-    maps.disturbances.push_back(fmt::format(
-        "{} of {} pixels are no numbers in some of the frames and are left out, as dead ones", failing, s.pixels));
+        fmt::format("{} of {} pixels are no numbers in any frame and show nothing", missing.empty, missing.pixels));
+  if (missing.failing > 0)
+    maps.disturbances.push_back(
+        fmt::format("{} of {} pixels are no numbers in some of the frames and are left out, as dead ones",
+                    missing.failing, missing.pixels));
 }
 
 std::string blank_frames_sentence(const std::vector<std::int64_t>& frames) {

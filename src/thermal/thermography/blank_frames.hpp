@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/problems.hpp"
+#include "core/threads.hpp"
 #include "model/film.hpp"
 #include "model/lockin_maps.hpp"
 
@@ -48,13 +49,19 @@ class BlankFrames {
 /// Those of a film, which is read once.
 std::vector<std::int64_t> blank_frames(FilmSource& film);
 
-/// What a frame without a picture does to the sums of a pass: they are no numbers, or all pixels that are watched are
-/// one number in a frame, or those of the frame before.
-bool may_lack_frames(const SegmentSums& sums);
+/// Of so many pixels, those that are numbers in no segment of a pass and those that are none in some of its frames.
+struct MissingPixels {
+  std::size_t pixels = 0, empty = 0, failing = 0;
+};
 
-/// Adds a sentence to the disturbances where pixels are no numbers in some frames, but not in all: sums of them are
-/// none.
-void tell_failing_pixels(const SegmentSums& sums, LockinMaps& maps);
+MissingPixels missing_pixels(const SegmentSums& sums, const ThreadPool& pool);
+
+/// What a frame without a picture does to a pass: pixels are no numbers there, or all pixels that are watched are one
+/// number in a frame, or those of the frame before.
+bool may_lack_frames(const SegmentSums& sums, const MissingPixels& missing);
+
+/// Adds a sentence to the disturbances where pixels are no numbers in some frames, and one where some are none in any.
+void tell_failing_pixels(const MissingPixels& missing, LockinMaps& maps);
 
 /// "frame 40 holds no whole picture and is left out"; empty without frames.
 std::string blank_frames_sentence(const std::vector<std::int64_t>& frames);

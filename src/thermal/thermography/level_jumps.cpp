@@ -8,6 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "thermal/thermography/kernels/kernels.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -23,10 +24,6 @@ constexpr double wild_square = 16;      // no pixel counts for more, for one tha
 double robust_deviation(std::vector<double> values) {
   for (double& v : values) v = std::abs(v);
   return median(std::move(values)) / median_of_normal_size;
-}
-
-double mean_of_place(const Matrix& value, std::size_t n) {
-  return std::accumulate(value.column(n), value.column(n + 1), 0.0) / static_cast<double>(value.rows());
 }
 
 /// Weights by which the differences between the k-th frames after and before a place give the step there, beside odd
@@ -47,49 +44,36 @@ std::vector<double> step_weights(std::size_t frames, double turns, std::size_t h
   return weight;
 }
 
-/// Steps of n neighbouring pixels before a frame, of which the first frame's are at `frame`.
-template <std::size_t n>
-void steps_before(const double* frame, std::size_t pixels, const std::vector<double>& weight, double* step) {
-  double sum[n] = {};
-  const double *after = frame, *before = frame - pixels;
-  for (const double w : weight) {
-    for (std::size_t i = 0; i < n; ++i) sum[i] += w * (after[i] - before[i]);
-    after += pixels, before -= pixels;
-  }
-  std::copy_n(sum, n, step);
-}
+/// Steps of every pixel before some frames, pixels x places, and their means over the pixels.
+struct Steps {
+  Matrix step;
+  std::vector<double> mean;
 
-/// Steps of every pixel before some frames: pixels x places.
-Matrix steps_of(const Matrix& value, const std::vector<double>& weight, const std::vector<std::size_t>& places,
-                const ThreadPool& pool) {
-  constexpr std::size_t some = 8;  // whose sums stay in registers
-  const std::size_t pixels = value.rows();
-  Matrix step(pixels, places.size());
-  pool.for_each(places.size(), [&](std::size_t m) {
-    const double* const frame = value.column(places[m]);
-    std::size_t i = 0;
-    for (; i + some <= pixels; i += some) steps_before<some>(frame + i, pixels, weight, step.column(m) + i);
-    for (; i < pixels; ++i) steps_before<1>(frame + i, pixels, weight, step.column(m) + i);
-  });
-  return step;
-}
+  Steps(const Matrix& value, const std::vector<double>& weight, const std::vector<std::size_t>& places,
+        const ThreadPool& pool)
+      : step(value.rows(), places.size()),
+        mean(places.size()) {
+    pool.for_each(places.size(), [&](std::size_t m) {
+      kernels().steps(value.column(places[m]), value.rows(), weight.data(), weight.size(), step.column(m));
+      mean[m] = std::accumulate(step.column(m), step.column(m + 1), 0.0) / static_cast<double>(step.rows());
+    });
+  }
+};
 
 /// How far pixels step in noise: all together, and each beside that.
 struct StepNoise {
   double common = 0;
   std::vector<double> own;
 
-  /// By those columns of the steps that are `used`.
-  StepNoise(const Matrix& step, const std::vector<std::size_t>& used, double least, const ThreadPool& pool)
-      : own(step.rows()) {
-    std::vector<double> mean;
-    for (const std::size_t m : used) mean.push_back(mean_of_place(step, m));
+  /// By those places that are `used`.
+  StepNoise(const Steps& steps, const std::vector<std::size_t>& used, double least, const ThreadPool& pool)
+      : own(steps.step.rows()) {
     pool.for_each(own.size(), [&](std::size_t i) {
-      std::vector<double> rest(used.size());
-      for (std::size_t m = 0; m < rest.size(); ++m) rest[m] = step(i, used[m]) - mean[m];
-      own[i] = std::max(robust_deviation(std::move(rest)), least);
+      own[i] = std::max(robust_deviation(mapped(used, [&](std::size_t m) { return steps.step(i, m) - steps.mean[m]; })),
+                        least);
     });
-    common = std::max(robust_deviation(std::move(mean)), least / common_errors);
+    common =
+        std::max(robust_deviation(mapped(used, [&](std::size_t m) { return steps.mean[m]; })), least / common_errors);
   }
 };
 
@@ -98,11 +82,11 @@ struct StepHere {
   double common = 0, own = 0;  ///< mean and standard deviation beyond noise; 0 where noise explains it
   double clear = 0;            ///< above 1 where noise does not explain them
 
-  StepHere(const Matrix& step, std::size_t place, const StepNoise& noise) {
-    const double mean = mean_of_place(step, place), pixels = static_cast<double>(step.rows());
+  StepHere(const Steps& steps, std::size_t place, const StepNoise& noise) {
+    const double mean = steps.mean[place], pixels = static_cast<double>(steps.step.rows());
     double pattern = 0, excess = 0;
-    for (std::size_t i = 0; i < step.rows(); ++i) {
-      const double square = std::pow(step(i, place) - mean, 2), usual = noise.own[i] * noise.own[i];
+    for (std::size_t i = 0; i < steps.step.rows(); ++i) {
+      const double square = std::pow(steps.step(i, place) - mean, 2), usual = noise.own[i] * noise.own[i];
       pattern += (usual > 0 ? std::min(square / usual, wild_square) : 0) / pixels, excess += (square - usual) / pixels;
     }
     const double together = std::abs(mean) / (common_errors * noise.common);
@@ -115,28 +99,34 @@ struct StepHere {
 void add_jumps(const Matrix& value, const std::vector<double>& weight, double least, const ThreadPool& pool,
                std::vector<LevelJump>& jumps) {
   const std::size_t reach = weight.size(), every = std::max<std::size_t>(1, reach / 32);
+  const std::size_t apart =
+      std::max<std::size_t>(1, reach / 16 / every);  // places so near to others tell no more noise
   std::vector<std::size_t> places;
   for (std::size_t n = reach; n + reach <= value.columns(); n += every) places.push_back(n);
-  const Matrix step = steps_of(value, weight, places, pool);
+  const Steps steps(value, weight, places, pool);
   const auto taken = [&](std::size_t n) {
     return std::ranges::any_of(jumps,
                                [&](const LevelJump& j) { return std::max(j.frame, n) - std::min(j.frame, n) < reach; });
   };
   while (jumps.size() < most_jumps) {
-    std::vector<std::size_t> used;  // where jumps that are known do not reach
-    for (std::size_t m = 0; m < places.size(); ++m)
-      if (!taken(places[m])) used.push_back(m);
-    if (used.size() < 8) return;
-    const StepNoise noise(step, used, least, pool);
+    std::vector<std::size_t> used, some;  // where jumps that are known do not reach
+    for (std::size_t m = 0; m < places.size(); ++m) {
+      if (taken(places[m])) continue;
+      if (used.size() % apart == 0) some.push_back(m);
+      used.push_back(m);
+    }
+    if (some.size() < 8) return;
+    const StepNoise noise(steps, some, least, pool);
     if (!(noise.common > 0)) return;
-    const auto clear = mapped(used, [&](std::size_t m) { return StepHere(step, m, noise).clear; });
+    std::vector<double> clear(used.size());
+    pool.for_each(used.size(), [&](std::size_t k) { clear[k] = StepHere(steps, used[k], noise).clear; });
     const auto best = std::ranges::max_element(clear);
     if (!(*best > 1)) return;
     const std::size_t about = places[used[static_cast<std::size_t>(best - clear.begin())]];
     std::vector<std::size_t> near;
     for (std::size_t n = std::max(reach, about - every); n <= about + every; ++n)
       if (n + reach <= value.columns() && !taken(n)) near.push_back(n);
-    const Matrix closer = steps_of(value, weight, near, pool);
+    const Steps closer(value, weight, near, pool);
     std::size_t at = 0;
     for (std::size_t m = 1; m < near.size(); ++m)
       if (StepHere(closer, m, noise).clear > StepHere(closer, at, noise).clear) at = m;

@@ -164,7 +164,8 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   SegmentSums sums =
       sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress, known.levels);
   if (sums.sums.empty()) return {};
-  if (may_lack_frames(sums))
+  const MissingPixels missing = missing_pixels(sums, pool);
+  if (may_lack_frames(sums, missing))
     if (const auto blank = blank_frames(film); !blank.empty()) {
       FilmWithout kept(film, blank, sums.time);
       sums = {};
@@ -205,7 +206,7 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   maps.drift_order = o.drift_order, maps.harmonics = harmonics;
   maps.convention = o.convention;
   maps.levels = known.levels;
-  tell_failing_pixels(sums, maps);
+  tell_failing_pixels(missing, maps);
   tell_levels(sums.time, maps);
   tell_wander(phases, lost, maps);
   if (!lost.empty()) maps.time = sums.time;

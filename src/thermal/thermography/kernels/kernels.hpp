@@ -52,6 +52,9 @@ struct Kernels {
   /// fitted of it: the form `normal` (rows x rows) of the numbers that `combine` gave.
   void (*residual)(const SegmentView&, const double* frames, const double* normal, std::size_t rows,
                    const double* fitted, std::size_t apart, double* out, std::size_t begin, std::size_t end);
+  /// step[i] = sum over k < reach of weight[k] times what pixel i, the first of whose values are at `frame`, has k
+  /// frames later less what it had k + 1 frames earlier; frames are `pixels` values apart.
+  void (*steps)(const double* frame, std::size_t pixels, const double* weight, std::size_t reach, double* step);
 };
 
 extern const Kernels avx2_kernels, avx512_kernels;

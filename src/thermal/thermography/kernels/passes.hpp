@@ -130,11 +130,30 @@ void residual(const SegmentView& s, const double* frames, const double* normal, 
   });
 }
 
+template <class V, int n>
+inline void steps_at(const double* frame, std::size_t pixels, const double* weight, std::size_t reach, double* step) {
+  V sum[n];
+  for (int i = 0; i < n; ++i) sum[i] = V(0);
+  const double *after = frame, *before = frame - pixels;
+  for (std::size_t k = 0; k < reach; ++k, after += pixels, before -= pixels)
+    for (int i = 0; i < n; ++i)
+      sum[i] = fma(V(weight[k]), V::load(after + i * V::lanes) - V::load(before + i * V::lanes), sum[i]);
+  for (int i = 0; i < n; ++i) sum[i].store(step + i * V::lanes);
+}
+
+template <class Doubles>
+void steps(const double* frame, std::size_t pixels, const double* weight, std::size_t reach, double* step) {
+  constexpr std::size_t some = 4 * Doubles::lanes;  // whose sums stay in registers
+  std::size_t i = 0;
+  for (; i + some <= pixels; i += some) steps_at<Doubles, 4>(frame + i, pixels, weight, reach, step + i);
+  for (; i < pixels; ++i) steps_at<Lanes<double, 1>, 1>(frame + i, pixels, weight, reach, step + i);
+}
+
 /// The passes for `floats` single or half as many double numbers at once.
 template <int floats> constexpr Kernels kernels_of(const char* name) {
   using Floats = Lanes<float, floats>;
   using Doubles = Lanes<double, floats / 2>;
-  return {name, add<Floats, std::uint16_t>, add<Floats, float>, combine<Doubles>, residual<Doubles>};
+  return {name, add<Floats, std::uint16_t>, add<Floats, float>, combine<Doubles>, residual<Doubles>, steps<Doubles>};
 }
 
 }  // namespace

@@ -102,6 +102,25 @@ TEST(LockIn, KernelsFitAsOneWouldByHand) {
     }
 }
 
+TEST(LockIn, KernelsStepAsOneWouldByHand) {
+  const std::size_t pixels = 37, frames = 25, reach = 11, at = 13;
+  RandomStream random(7, Purpose::test);
+  std::vector<double> value(pixels * frames), weight(reach);
+  for (double& v : value) v = random.uniform(-1, 1);
+  for (double& v : weight) v = random.uniform(-1, 1);
+  for (const char* name : {"portable", "avx2", "avx512"})
+    if (const Kernels* k = kernels(name)) {
+      std::vector<double> step(pixels);
+      k->steps(value.data() + at * pixels, pixels, weight.data(), reach, step.data());
+      for (std::size_t p = 0; p < pixels; ++p) {
+        double sum = 0;
+        for (std::size_t n = 0; n < reach; ++n)
+          sum += weight[n] * (value[(at + n) * pixels + p] - value[(at - 1 - n) * pixels + p]);
+        EXPECT_NEAR(step[p], sum, 1e-14) << name << " " << p;
+      }
+    }
+}
+
 void expect_refused(Film film, const LockinOptions& o, const char* word) {
   try {
     lock_in(film, o);
