@@ -41,9 +41,9 @@ duration = ")" +
 
 inline void wait(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
 
-/// Until it is true, or for a minute.
+/// Until it is true, or for three minutes: runs with sanitizers take twenty times as long.
 inline bool becomes(const std::function<bool()>& condition) {
-  for (int look = 0; look < 600; ++look, wait(100))
+  for (int look = 0; look < 1800; ++look, wait(100))
     if (condition()) return true;
   return condition();
 }
