@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -13,9 +14,11 @@
 namespace arenite::app {
 namespace {
 
-volatile std::sig_atomic_t requested = 0;
+/// Set by a signal or by the thread that answers a watch, read by the one that computes.
+std::atomic<bool> requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "or a signal could not set it");
 
-void stop_by_signal(int) { requested = 1; }
+void stop_by_signal(int) { requested = true; }
 
 /// As duration_text, without tenths.
 std::string whole_seconds(double seconds) {
@@ -35,9 +38,9 @@ void watch_for_signals() {
   std::signal(SIGINT, stop_by_signal);
 }
 
-void request_stop() { requested = 1; }
+void request_stop() { requested = true; }
 
-bool stop_requested() { return requested != 0; }
+bool stop_requested() { return requested; }
 
 std::string duration_text(double seconds) {
   if (seconds < 10) return fmt::format("{:.1f} s", seconds);
