@@ -99,8 +99,8 @@ struct StepHere {
 void add_jumps(const Matrix& value, const std::vector<double>& weight, double least, const ThreadPool& pool,
                std::vector<LevelJump>& jumps) {
   const std::size_t reach = weight.size(), every = std::max<std::size_t>(1, reach / 32);
-  const std::size_t apart =
-      std::max<std::size_t>(1, reach / 16 / every);  // places so near to others tell no more noise
+  // Places nearer to each other share so many frames that they tell nothing more of the noise.
+  const std::size_t apart = std::max<std::size_t>(1, reach / 16 / every);
   std::vector<std::size_t> places;
   for (std::size_t n = reach; n + reach <= value.columns(); n += every) places.push_back(n);
   const Steps steps(value, weight, places, pool);
